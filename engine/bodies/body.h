@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/shape.h"
+#include "kernels/kernel.h"
+#include "materials/material.h"
+#include "particles/particle_set.h"
+
+#include <memory>
+#include <string>
+
+namespace sphinx {
+
+enum class BodyKind { fluid, solid, observer };
+
+/// Particles with a material, a shape and a resolution.
+template <int Dim>
+struct Body {
+    std::string name;
+    BodyKind kind = BodyKind::fluid;
+    ParticleSet<Dim> particles;
+    std::shared_ptr<const Material> material;     ///< null for observers
+    geometry::ShapePointer<Dim> shape;            ///< null for bodies given by points
+    double spacing = 0;                           ///< dp, length
+    Kernel<Dim> kernel;
+    /// Counts every change of positions or order of the particles: a list that was built at
+    /// another count is stale.
+    std::uint64_t version = 0;
+
+    std::size_t size() const { return particles.size(); }
+};
+
+}  // namespace sphinx

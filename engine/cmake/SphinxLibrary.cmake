@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# Flags shared by every target, and one static library per folder of engine/.
+
+add_library(sphinx_flags INTERFACE)
+target_compile_options(sphinx_flags INTERFACE -Wall -Wextra -Werror -fopenmp-simd
+  # Bits must not depend on where the compiler finds a chance to fuse or reorder: only loops that
+  # ask for it (omp simd reduction) are reordered. errno and traps are not used.
+  -fno-math-errno -fno-trapping-math)
+if(SPHINX_NATIVE)
+  target_compile_options(sphinx_flags INTERFACE -march=native)
+endif()
+if(SPHINX_SANITIZE)
+  target_compile_options(sphinx_flags INTERFACE -fsanitize=address,undefined
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(sphinx_flags INTERFACE -fsanitize=address,undefined)
+endif()
+target_include_directories(sphinx_flags INTERFACE ${CMAKE_SOURCE_DIR}/engine)
+target_include_directories(sphinx_flags SYSTEM INTERFACE /usr/include/eigen3)
+
+# sphinx_library(core LINK_PUBLIC ... LINK_PRIVATE ...): engine/core/**.cpp as sphinx_core.
+function(sphinx_library NAME)
+  cmake_parse_arguments(ARG "" "" "LINK_PUBLIC;LINK_PRIVATE" ${ARGN})
+  file(GLOB_RECURSE SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/${NAME}/*.cpp)
+  if(SOURCES)
+    add_library(sphinx_${NAME} STATIC ${SOURCES})
+    target_link_libraries(sphinx_${NAME} PUBLIC sphinx_flags ${ARG_LINK_PUBLIC}
+                                         PRIVATE ${ARG_LINK_PRIVATE})
+  else()
+    add_library(sphinx_${NAME} INTERFACE)
+    target_link_libraries(sphinx_${NAME} INTERFACE sphinx_flags ${ARG_LINK_PUBLIC})
+  endif()
+endfunction()

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sphinx {
+
+/// One interface for saving and for loading: a stateful class has a single transfer(Archive&), so
+/// that what is written is what is read. Values are exact (bitwise) in both directions.
+/// Small state only (clocks, triggers, counters); particle fields are written by io as arrays.
+class Archive {
+   public:
+    virtual ~Archive() = default;
+
+    virtual bool loading() const = 0;
+    virtual void value(std::string_view name, double& v) = 0;
+    virtual void value(std::string_view name, std::int64_t& v) = 0;
+    virtual void value(std::string_view name, std::string& v) = 0;
+
+    /// Opens a named section; names of siblings differ. Throws FileError when loading and it is
+    /// missing.
+    virtual void enter(std::string_view name) = 0;
+    virtual void leave() = 0;
+};
+
+/// Keeps enter and leave paired.
+class Section {
+   public:
+    Section(Archive& archive, std::string_view name) : archive_(archive) { archive_.enter(name); }
+    ~Section() { archive_.leave(); }
+    Section(const Section&) = delete;
+    Section& operator=(const Section&) = delete;
+
+   private:
+    Archive& archive_;
+};
+
+}  // namespace sphinx

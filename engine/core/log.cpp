@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "core/log.h"
+
+#include "core/errors.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <mutex>
+#include <set>
+#include <string>
+
+namespace sphinx::log {
+namespace {
+
+struct State {
+    std::mutex mutex;
+    std::FILE* file = nullptr;
+    bool terminal = true;
+    std::set<std::string, std::less<>> warned;
+};
+
+State& state() {
+    static State instance;
+    return instance;
+}
+
+void write(std::FILE* stream, std::string_view prefix, std::string_view line) {
+    if (!stream) return;
+    std::fwrite(prefix.data(), 1, prefix.size(), stream);
+    std::fwrite(line.data(), 1, line.size(), stream);
+    std::fputc('\n', stream);
+    std::fflush(stream);
+}
+
+}  // namespace
+
+void openFile(const std::filesystem::path& path) {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    if (s.file) std::fclose(s.file);
+    s.file = std::fopen(path.c_str(), "ae");
+    if (!s.file) throw FileError("cannot write " + path.string() + ": " + std::strerror(errno));
+}
+
+void closeFile() {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    if (s.file) std::fclose(s.file);
+    s.file = nullptr;
+}
+
+void info(std::string_view line) {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    if (s.terminal) write(stdout, "", line);
+    write(s.file, "", line);
+}
+
+void warning(std::string_view line) {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    if (!s.warned.emplace(line).second) return;
+    write(stderr, "warning: ", line);
+    write(s.file, "warning: ", line);
+}
+
+void error(std::string_view line) {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    write(stderr, "error: ", line);
+    write(s.file, "error: ", line);
+}
+
+void fileOnly(std::string_view line) {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    write(s.file, "", line);
+}
+
+void setTerminal(bool on) {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    s.terminal = on;
+}
+
+}  // namespace sphinx::log

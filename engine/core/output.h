@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/archive.h"
+#include "core/clock.h"
+
+namespace sphinx {
+
+/// One entry of `outputs`. It reads particles and writes files; it never changes the physics and
+/// never a time step.
+class Output {
+   public:
+    virtual ~Output() = default;
+
+    /// Writes the state at clock.time (clock.steps outermost steps are complete). Throws FileError.
+    virtual void write(const Clock& clock) = 0;
+    /// State that a restart must carry (frames written so far, running means). A resumed run goes
+    /// on in the same files, without writing a frame twice.
+    virtual void transfer(Archive&) {}
+    /// Before the first write of a resumed run: drops from the files whatever was written after
+    /// the state that is being resumed (clock), so that nothing appears twice.
+    virtual void resume(const Clock&) {}
+    /// Called once after the last write.
+    virtual void finish() {}
+};
+
+}  // namespace sphinx

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/types.h"
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace sphinx {
+
+/// Sets the number of threads that loops use from now on; 0 means all of the machine.
+void setThreadCount(int threads);
+int threadCount();
+
+namespace detail {
+using RangeFunction = void (*)(void* context, std::size_t begin, std::size_t end);
+/// Calls `function` for consecutive ranges of at most `grain` indices, on all threads.
+void runRanges(std::size_t n, std::size_t grain, RangeFunction function, void* context);
+}  // namespace detail
+
+/// Particles of one range: large enough that a range costs microseconds, small enough to share out.
+inline constexpr std::size_t default_grain = 512;
+
+/// body(begin, end) over [0, n) in ranges. Below one grain it is a plain call: no thread, no lock.
+/// Which thread runs which range is open, so a body may write only what belongs to its indices.
+template <class Body>
+void parallelRanges(std::size_t n, Body&& body, std::size_t grain = default_grain) {
+    if (n <= grain || threadCount() == 1) {
+        if (n > 0) body(std::size_t{0}, n);
+        return;
+    }
+    using Plain = std::remove_reference_t<Body>;
+    detail::runRanges(
+        n, grain,
+        [](void* context, std::size_t begin, std::size_t end) {
+            (*static_cast<Plain*>(context))(begin, end);
+        },
+        const_cast<void*>(static_cast<const void*>(&body)));
+}
+
+/// body(i) for every i in [0, n).
+template <class Body>
+void parallelFor(std::size_t n, Body&& body, std::size_t grain = default_grain) {
+    parallelRanges(
+        n,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) body(i);
+        },
+        grain);
+}
+
+/// Reduction with bits that do not depend on the number of threads: fixed blocks of `block` indices
+/// are reduced by `range(begin, end) -> T` and joined in order by `join(a, b)`.
+template <class T, class RangeReduction, class Join>
+T parallelReduce(std::size_t n, T identity, RangeReduction&& range, Join&& join,
+                 std::size_t block = 1024) {
+    const std::size_t blocks = (n + block - 1) / block;
+    if (blocks <= 1) return n == 0 ? identity : join(identity, range(std::size_t{0}, n));
+    std::vector<T> partial(blocks, identity);
+    parallelFor(
+        blocks,
+        [&](std::size_t b) {
+            const std::size_t begin = b * block;
+            partial[b] = range(begin, begin + block < n ? begin + block : n);
+        },
+        1);
+    T result = identity;
+    for (const T& value : partial) result = join(result, value);
+    return result;
+}
+
+/// Sum over all indices of value(i), same bits for any number of threads.
+template <class Value>
+auto parallelSum(std::size_t n, Value&& value) {
+    using T = std::decay_t<decltype(value(std::size_t{0}))>;
+    return parallelReduce(
+        n, T{},
+        [&](std::size_t begin, std::size_t end) {
+            T sum{};
+            for (std::size_t i = begin; i < end; ++i) sum += value(i);
+            return sum;
+        },
+        [](T a, const T& b) { return a += b; });
+}
+
+/// Largest value(i), or `floor` when there is none.
+template <class Value>
+double parallelMax(std::size_t n, double floor, Value&& value) {
+    return parallelReduce(
+        n, floor,
+        [&](std::size_t begin, std::size_t end) {
+            double largest = floor;
+            for (std::size_t i = begin; i < end; ++i) {
+                const double v = value(i);
+                largest = v > largest ? v : largest;
+            }
+            return largest;
+        },
+        [](double a, double b) { return b > a ? b : a; });
+}
+
+}  // namespace sphinx

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/archive.h"
+#include "core/clock.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sphinx {
+
+/// One entry of `dynamics`: it acts when a line of the loop calls it. A virtual call a line, never
+/// one a particle.
+class Method {
+   public:
+    virtual ~Method() = default;
+
+    /// Runs the action of that index in the declaration (methods without named actions have one).
+    virtual void run(int action, const Clock& clock) = 0;
+    /// Particles that one call works on, for the profile's ns per particle.
+    virtual std::size_t workSize() const = 0;
+    /// State besides particle fields.
+    virtual void transfer(Archive&) {}
+};
+
+/// A method that a layer's `dt` may name.
+class TimeStepMethod {
+   public:
+    virtual ~TimeStepMethod() = default;
+    /// Largest stable step at the current state; time, positive.
+    virtual double estimate() = 0;
+    virtual std::size_t workSize() const = 0;
+};
+
+/// How an action uses a field of a body. `accumulate` adds to a value that the layer zeroes first.
+enum class AccessMode { read, write, accumulate };
+
+struct FieldAccess {
+    AccessMode mode = AccessMode::read;
+    std::string body;
+    std::string field;  ///< a name of particles/fields.h, or one of the two below
+};
+
+/// Pseudo fields for the check of the loop. Lists of a body go stale when its positions are
+/// written; `neighbors` wants them to exist, `fresh_neighbors` to be fresh as well.
+namespace pseudo_field {
+inline constexpr std::string_view neighbors = "neighbors";
+inline constexpr std::string_view fresh_neighbors = "fresh_neighbors";
+}  // namespace pseudo_field
+
+}  // namespace sphinx

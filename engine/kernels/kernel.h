@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/types.h"
+
+#include <numbers>
+
+namespace sphinx {
+
+enum class KernelType { wendland_c2, cubic_spline, quintic_spline };
+
+/// A smoothing kernel W(r, h) = sigma/h^Dim w(q), q = r/h, with compact support r < rc = reach * h.
+/// `w` and `dw` are the shape and its derivative by q; sigma makes the integral over space 1.
+///
+/// Wendland C2: w = (1 - q/2)^4 (2q + 1), reach 2; Wendland 1995, doi:10.1007/BF02123482, in the
+/// scaling of Dehnen & Aly 2012, doi:10.1111/j.1365-2966.2012.21439.x.
+template <int Dim>
+struct WendlandC2 {
+    static constexpr double reach = 2;
+    static constexpr double sigma =
+        Dim == 2 ? 7.0 / (4.0 * std::numbers::pi) : 21.0 / (16.0 * std::numbers::pi);
+    static double w(double q) {
+        const double a = 1 - 0.5 * q;
+        const double b = a * a;
+        return b * b * (2 * q + 1);
+    }
+    static double dw(double q) {
+        const double a = 1 - 0.5 * q;
+        return -5 * q * a * a * a;
+    }
+};
+
+/// Cubic spline (M4), reach 2; Monaghan & Lattanzio 1985, A&A 149, 135.
+template <int Dim>
+struct CubicSpline {
+    static constexpr double reach = 2;
+    static constexpr double sigma =
+        Dim == 2 ? 10.0 / (7.0 * std::numbers::pi) : 1.0 / std::numbers::pi;
+    static double w(double q) {
+        const double a = 2 - q;
+        const double b = 1 - q;
+        return q < 1 ? 0.25 * a * a * a - b * b * b : 0.25 * a * a * a;
+    }
+    static double dw(double q) {
+        const double a = 2 - q;
+        const double b = 1 - q;
+        return q < 1 ? -0.75 * a * a + 3 * b * b : -0.75 * a * a;
+    }
+};
+
+/// Quintic spline (M6), reach 3; Morris, Fox & Zhu 1997, doi:10.1006/jcph.1997.5776.
+template <int Dim>
+struct QuinticSpline {
+    static constexpr double reach = 3;
+    static constexpr double sigma =
+        Dim == 2 ? 7.0 / (478.0 * std::numbers::pi) : 1.0 / (120.0 * std::numbers::pi);
+    static double power4(double a) { return a * a * a * a; }
+    static double w(double q) {
+        double value = power4(3 - q) * (3 - q);
+        if (q < 2) value -= 6 * power4(2 - q) * (2 - q);
+        if (q < 1) value += 15 * power4(1 - q) * (1 - q);
+        return value;
+    }
+    static double dw(double q) {
+        double value = -5 * power4(3 - q);
+        if (q < 2) value += 30 * power4(2 - q);
+        if (q < 1) value -= 75 * power4(1 - q);
+        return value;
+    }
+};
+
+/// Calls f with the kernel's type: f.template operator()<WendlandC2<Dim>>().
+template <int Dim, class F>
+decltype(auto) withKernel(KernelType type, F&& f) {
+    switch (type) {
+        case KernelType::cubic_spline: return f.template operator()<CubicSpline<Dim>>();
+        case KernelType::quintic_spline: return f.template operator()<QuinticSpline<Dim>>();
+        case KernelType::wendland_c2: break;
+    }
+    return f.template operator()<WendlandC2<Dim>>();
+}
+
+/// A kernel with its smoothing length, for places that are not hot.
+template <int Dim>
+class Kernel {
+   public:
+    Kernel() = default;
+    Kernel(KernelType type, double h) : type_(type), h_(h) {}
+
+    KernelType type() const { return type_; }
+    double smoothingLength() const { return h_; }
+    double cutoff() const;                     ///< rc, length
+    double value(double r) const;              ///< W, 1/length^Dim
+    double derivative(double r) const;         ///< dW/dr, 1/length^(Dim+1)
+    /// Sum of W over the points of an infinite square lattice, itself included: (54)'s sum of W0.
+    double latticeSum(double spacing) const;
+
+   private:
+    KernelType type_ = KernelType::wendland_c2;
+    double h_ = 1;
+};
+
+extern template class Kernel<2>;
+extern template class Kernel<3>;
+
+}  // namespace sphinx

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace sphinx {
+
+/// Base of all material laws: pure functions of the local state, no particles.
+class Material {
+   public:
+    virtual ~Material() = default;
+    /// Reference density rho0, mass/length^3.
+    virtual double density() const = 0;
+};
+
+/// A body that does not deform: walls, obstacles.
+class Rigid final : public Material {
+   public:
+    explicit Rigid(double density) : density_(density) {}
+    double density() const override { return density_; }
+
+   private:
+    double density_;
+};
+
+}  // namespace sphinx

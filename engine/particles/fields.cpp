@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "particles/fields.h"
+
+namespace sphinx::fields {
+
+const std::vector<const FieldInfo*>& all() {
+    static const std::vector<const FieldInfo*> list = {
+        &id,       &position,     &velocity, &mass,         &volume,
+        &density,  &density_rate, &pressure, &acceleration, &external_acceleration,
+        &normal,
+    };
+    return list;
+}
+
+const FieldInfo* find(std::string_view name) {
+    for (const FieldInfo* info : all())
+        if (info->name == name) return info;
+    return nullptr;
+}
+
+}  // namespace sphinx::fields

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "particles/particle_set.h"
+
+#include <cassert>
+
+namespace sphinx {
+
+template <int Dim>
+ParticleSet<Dim>::ParticleSet() {
+    id_ = &integer(fields::id);
+    position_ = &vector(fields::position);
+}
+
+template <int Dim>
+void ParticleSet<Dim>::append(std::size_t n) {
+    const std::size_t old = size_;
+    size_ += n;
+    capacity_ = std::max(capacity_, size_);
+    for (auto& field : fields_) field->resize(size_);
+    for (std::size_t i = old; i < size_; ++i) (*id_)[i] = next_id_++;
+}
+
+template <int Dim>
+void ParticleSet<Dim>::remove(const std::vector<Index>& particles) {
+    if (particles.empty()) return;
+    std::size_t to = particles.front();
+    std::size_t next = 0;
+    for (std::size_t from = to; from < size_; ++from) {
+        if (next < particles.size() && particles[next] == from) {
+            ++next;
+            continue;
+        }
+        for (auto& field : fields_) field->copy(from, to);
+        ++to;
+    }
+    size_ = to;
+    for (auto& field : fields_) field->resize(size_);
+}
+
+template <int Dim>
+void ParticleSet<Dim>::permute(const AlignedVector<Index>& order) {
+    assert(order.size() == size_);
+    for (auto& field : fields_) field->permute(order);
+}
+
+template <int Dim>
+void ParticleSet<Dim>::restore(std::size_t n, std::int64_t next_id) {
+    size_ = n;
+    capacity_ = std::max(capacity_, size_);
+    next_id_ = next_id;
+    for (auto& field : fields_) field->resize(size_);
+}
+
+template <int Dim>
+FieldBase* ParticleSet<Dim>::find(std::string_view name) const {
+    for (const auto& field : fields_)
+        if (field->info().name == name) return field.get();
+    return nullptr;
+}
+
+template <int Dim>
+template <class T>
+Field<T>& ParticleSet<Dim>::typed(const FieldInfo& info, [[maybe_unused]] Rank rank) {
+    assert(info.rank == rank);
+    if (FieldBase* existing = find(info.name)) return static_cast<Field<T>&>(*existing);
+    auto field = std::make_unique<Field<T>>(info);
+    field->resize(size_);
+    Field<T>& result = *field;
+    fields_.push_back(std::move(field));
+    return result;
+}
+
+template <int Dim>
+Field<double>& ParticleSet<Dim>::scalar(const FieldInfo& info) {
+    return typed<double>(info, Rank::scalar);
+}
+template <int Dim>
+Field<Vec<Dim>>& ParticleSet<Dim>::vector(const FieldInfo& info) {
+    return typed<Vec<Dim>>(info, Rank::vector);
+}
+template <int Dim>
+Field<Mat<Dim>>& ParticleSet<Dim>::matrix(const FieldInfo& info) {
+    return typed<Mat<Dim>>(info, Rank::matrix);
+}
+template <int Dim>
+Field<std::int64_t>& ParticleSet<Dim>::integer(const FieldInfo& info) {
+    return typed<std::int64_t>(info, Rank::integer);
+}
+
+template <int Dim>
+FieldBase& ParticleSet<Dim>::require(const FieldInfo& info) {
+    switch (info.rank) {
+        case Rank::scalar: return scalar(info);
+        case Rank::vector: return vector(info);
+        case Rank::matrix: return matrix(info);
+        case Rank::integer: break;
+    }
+    return integer(info);
+}
+
+template <int Dim>
+std::size_t ParticleSet<Dim>::bytes() const {
+    std::size_t sum = 0;
+    for (const auto& field : fields_) sum += field->bytes();
+    return sum;
+}
+
+template class ParticleSet<2>;
+template class ParticleSet<3>;
+
+}  // namespace sphinx
