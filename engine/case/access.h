@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "case/model.h"
+#include "dynamics/dynamics.h"
+
+#include <vector>
+
+namespace sphinx::model {
+
+/// Fields that an action of a method reads, writes and accumulates, with the names of the case's
+/// bodies in place of parameters and `neighbors`. For a time-step method: those of its estimate.
+std::vector<FieldAccess> resolveAccesses(const Case& model, const Component& method, int action);
+
+}  // namespace sphinx::model
