@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "geometry/polygon.h"
+#include "geometry/shape.h"
+#include "geometry/wkt.h"
+
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <fmt/core.h>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <system_error>
+
+namespace sphinx::geometry {
+namespace {
+
+constexpr std::string_view blanks = " \t\r";
+
+std::string_view trimmed(std::string_view line) {
+    const std::size_t begin = line.find_first_not_of(blanks);
+    if (begin == std::string_view::npos) return {};
+    return line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
+}
+
+/// Takes a number off the front of `text`.
+bool takeNumber(std::string_view& text, double& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{}) return false;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return true;
+}
+
+/// "x y" or "x,y", blanks around the comma allowed; nothing for any other line.
+std::optional<Vec<2>> point(std::string_view line) {
+    double x = 0, y = 0;
+    if (!takeNumber(line, x)) return std::nullopt;
+    const std::size_t width = line.size();
+    line = trimmed(line);
+    bool apart = line.size() < width;
+    if (!line.empty() && line.front() == ',') {
+        line = trimmed(line.substr(1));
+        apart = true;
+    }
+    if (!apart || !takeNumber(line, y) || !line.empty()) return std::nullopt;
+    return Vec<2>(x, y);
+}
+
+Ring readPoints(const std::string& path, const std::string& text) {
+    Ring ring;
+    std::istringstream lines(text);
+    std::string raw;
+    bool first = true;
+    for (int number = 1; std::getline(lines, raw); ++number) {
+        const std::string_view line = trimmed(raw);
+        if (line.empty() || line.front() == '#') continue;
+        const bool names = first && line.find_first_of("0123456789") != 0 &&
+                           line.find_first_of("+-.") != 0;
+        first = false;
+        if (const std::optional<Vec<2>> p = point(line)) {
+            ring.push_back(*p);
+        } else if (!names) {
+            throw ShapeError(fmt::format("{}:{}: expected two numbers \"x y\" or \"x,y\" but found '{}'",
+                                         path, number, line));
+        }
+    }
+    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    return ring;
+}
+
+std::string contentOf(const std::string& path) {
+    // Opening a folder succeeds; reading it is what fails, without a cause.
+    if (std::filesystem::is_directory(path)) {
+        throw ShapeError(fmt::format("cannot read {}: it is a folder", path));
+    }
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream content;
+    if (file.peek() != std::ifstream::traits_type::eof()) content << file.rdbuf();
+    if (!file.is_open() || file.bad() || content.fail()) {
+        const std::error_code cause(errno, std::generic_category());
+        throw ShapeError(fmt::format("cannot read {}: {}", path, cause.message()));
+    }
+    return content.str();
+}
+
+}  // namespace
+
+ShapePointer<2> readPolygon(const std::string& path) {
+    const std::string text = contentOf(path);
+    if (looksLikeWkt(text)) return std::make_shared<Polygon>(readWkt(path, text));
+    Ring ring = readPoints(path, text);
+    try {
+        return std::make_shared<Polygon>(Rings{simpleRing(std::move(ring), "")});
+    } catch (const ShapeError& error) {
+        throw ShapeError(fmt::format("{}: {}", path, error.what()));
+    }
+}
+
+}  // namespace sphinx::geometry
