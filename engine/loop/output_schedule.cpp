@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "loop/output_schedule.h"
+
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace sphinx::loop {
+
+OutputSchedule::OutputSchedule(const std::vector<OutputEntry>& outputs, const LayerRun& outermost)
+    : outermost_(outermost) {
+    for (const OutputEntry& entry : outputs) {
+        EntryRun run{entry, Multiples(entry.every ? entry.every->interval : 1), nullptr, -1, {}};
+        if (entry.every) run.counting = &outermost.find(entry.every->layer)->clock();
+        startTrigger(run);
+        entries_.push_back(std::move(run));
+    }
+}
+
+double OutputSchedule::value(const EntryRun& run) const {
+    const Clock& clock = outermost_.clock();
+    return run.entry.every->kind == Trigger::Kind::time ? triggerTime(clock.time, clock.dt)
+                                                        : static_cast<double>(run.counting->steps);
+}
+
+void OutputSchedule::startTrigger(EntryRun& run) const {
+    // The wall time begins anew with each process.
+    if (!run.entry.every || run.entry.every->kind == Trigger::Kind::wall_time) return;
+    run.next.startAfter(value(run));
+}
+
+void OutputSchedule::writeFirst() {
+    std::vector<bool> due;
+    for (const EntryRun& run : entries_) due.push_back(!run.entry.restart);
+    write(due);
+}
+
+void OutputSchedule::writeDue(double wall_seconds) {
+    // All triggers move before anything is written: a restart carries the state after this step.
+    std::vector<bool> due(entries_.size());
+    bool any = false;
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+        EntryRun& run = entries_[k];
+        if (!run.entry.every) continue;
+        const bool wall = run.entry.every->kind == Trigger::Kind::wall_time;
+        due[k] = run.next.reach(wall ? wall_seconds : value(run));
+        any = any || due[k];
+    }
+    if (any) write(due);
+}
+
+void OutputSchedule::writeLast() { write(std::vector<bool>(entries_.size(), true)); }
+
+void OutputSchedule::writeRestarts() {
+    std::vector<bool> due;
+    for (const EntryRun& run : entries_) due.push_back(run.entry.restart);
+    write(due);
+}
+
+void OutputSchedule::write(const std::vector<bool>& due) {
+    const Clock& clock = outermost_.clock();
+    for (const bool restart : {false, true}) {
+        for (std::size_t k = 0; k < entries_.size(); ++k) {
+            EntryRun& run = entries_[k];
+            if (!due[k] || run.entry.restart != restart || run.last_step == clock.steps) continue;
+            // Set before: the restart being written must know that it has been.
+            run.last_step = clock.steps;
+            const TimedCall timed(run.tally);
+            run.entry.output->write(clock);
+        }
+    }
+}
+
+void OutputSchedule::resume() {
+    for (EntryRun& run : entries_) run.entry.output->resume(outermost_.clock());
+}
+
+void OutputSchedule::finish() {
+    for (EntryRun& run : entries_) run.entry.output->finish();
+}
+
+void OutputSchedule::transfer(Archive& archive) {
+    const Section section(archive, "outputs");
+    // An archive cannot be asked what it has, so it says it itself.
+    std::string names;
+    for (const EntryRun& run : entries_) names += run.entry.name + "\n";
+    archive.value("names", names);
+    std::istringstream saved(names);
+    for (std::string name; std::getline(saved, name);)
+        for (EntryRun& run : entries_)
+            if (run.entry.name == name) transferEntry(archive, run);
+}
+
+void OutputSchedule::transferEntry(Archive& archive, EntryRun& run) {
+    const Section section(archive, run.entry.name);
+    std::string type = run.entry.type;
+    archive.value("type", type);
+    if (type != run.entry.type) return;
+
+    const std::string present = run.entry.every ? describe(*run.entry.every) : "";
+    std::string trigger = present;
+    archive.value("every", trigger);
+    archive.value("last_step", run.last_step);
+    // A changed trigger, and one that counts wall time, start anew.
+    Multiples next = run.next;
+    next.transfer(archive);
+    const bool wall = run.entry.every && run.entry.every->kind == Trigger::Kind::wall_time;
+    if (archive.loading()) {
+        if (trigger == present && !wall) run.next = next;
+        if (trigger != present) startTrigger(run);
+    }
+    const Section state(archive, "state");
+    run.entry.output->transfer(archive);
+}
+
+}  // namespace sphinx::loop

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "loop/layer_run.h"
+
+#include <vector>
+
+namespace sphinx::loop {
+
+/// Decides when each output writes: at the start, after the first outermost step that reaches a
+/// multiple of its interval, at the end; never twice at the same step.
+class OutputSchedule {
+ public:
+    struct EntryRun {
+        OutputEntry entry;
+        Multiples next;
+        const Clock* counting = nullptr;  ///< of the layer whose steps count
+        std::int64_t last_step = -1;      ///< outermost steps at the last write; -1: none yet
+        Tally tally;
+    };
+
+    OutputSchedule(const std::vector<OutputEntry>& outputs, const LayerRun& outermost);
+
+    /// Before the first step of a fresh run; restarts wait for the first step.
+    void writeFirst();
+    /// After an outermost step. `wall_seconds`: since the start of the process.
+    void writeDue(double wall_seconds);
+    /// At the end: everything that has not written this state yet.
+    void writeLast();
+    /// A run that is stopped early writes its restarts only: any other frame would be missing in
+    /// an uninterrupted run.
+    void writeRestarts();
+
+    /// Tells every output that the run goes on from the present clock.
+    void resume();
+    void finish();
+
+    const std::vector<EntryRun>& entries() const { return entries_; }
+
+    /// Triggers and the outputs' own state. Outputs are free to change between run and resumption:
+    /// a new one starts afresh, a changed trigger goes on from the present time. Load the layers
+    /// first.
+    void transfer(Archive& archive);
+
+ private:
+    double value(const EntryRun& run) const;
+    void startTrigger(EntryRun& run) const;
+    void transferEntry(Archive& archive, EntryRun& run);
+    /// Writes the entries of `due` that have not written at this step, restarts last.
+    void write(const std::vector<bool>& due);
+
+    const LayerRun& outermost_;
+    std::vector<EntryRun> entries_;
+};
+
+}  // namespace sphinx::loop

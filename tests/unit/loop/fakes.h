@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/archive.h"
+#include "core/errors.h"
+#include "loop/plan.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sphinx::loop::fake {
+
+/// One call as a method saw it.
+struct Event {
+    std::string name;
+    double time = 0;
+    double dt = 0;
+    std::int64_t steps = 0;
+    bool operator==(const Event&) const = default;
+};
+using Journal = std::vector<Event>;
+
+class Recorder : public Method {
+ public:
+    Recorder(std::string name, Journal& journal) : name_(std::move(name)), journal_(journal) {}
+    void run(int action, const Clock& clock) override {
+        const std::string name = action == 0 ? name_ : name_ + "." + std::to_string(action);
+        journal_.push_back({name, clock.time, clock.dt, clock.steps});
+    }
+    std::size_t workSize() const override { return 10; }
+
+ private:
+    std::string name_;
+    Journal& journal_;
+};
+
+/// A method that runs any function.
+class Acting : public Method {
+ public:
+    explicit Acting(std::function<void(const Clock&)> act) : act_(std::move(act)) {}
+    void run(int, const Clock& clock) override { act_(clock); }
+    std::size_t workSize() const override { return 1; }
+
+ private:
+    std::function<void(const Clock&)> act_;
+};
+
+class Estimate : public TimeStepMethod {
+ public:
+    explicit Estimate(std::function<double()> next) : next_(std::move(next)) {}
+    double estimate() override { return next_(); }
+    std::size_t workSize() const override { return 10; }
+
+ private:
+    std::function<double()> next_;
+};
+
+class RecordingOutput : public Output {
+ public:
+    RecordingOutput(std::string name, Journal& journal)
+        : name_(std::move(name)), journal_(journal) {}
+    void write(const Clock& clock) override {
+        journal_.push_back({name_, clock.time, clock.dt, clock.steps});
+        ++frames_;
+        if (on_write) on_write();
+    }
+    void transfer(Archive& archive) override { archive.value("frames", frames_); }
+    void resume(const Clock& clock) override {
+        journal_.push_back({"resume " + name_, clock.time, clock.dt, clock.steps});
+    }
+    void finish() override { ++finished; }
+
+    std::int64_t frames() const { return frames_; }
+    std::function<void()> on_write;
+    int finished = 0;
+
+ private:
+    std::string name_;
+    Journal& journal_;
+    std::int64_t frames_ = 0;
+};
+
+/// Values by their path.
+using Saved = std::map<std::string, std::variant<double, std::int64_t, std::string>>;
+
+class MemoryArchive : public Archive {
+ public:
+    MemoryArchive() = default;                                                // saves
+    explicit MemoryArchive(Saved s) : saved(std::move(s)), loading_(true) {}  // loads
+
+    bool loading() const override { return loading_; }
+    void value(std::string_view name, double& v) override { transfer(name, v); }
+    void value(std::string_view name, std::int64_t& v) override { transfer(name, v); }
+    void value(std::string_view name, std::string& v) override { transfer(name, v); }
+    void enter(std::string_view name) override {
+        path_.push_back(std::string(name) + "/");
+        if (!loading_) return;
+        const auto first = saved.lower_bound(path(""));
+        if (first == saved.end() || first->first.rfind(path(""), 0) != 0) {
+            path_.pop_back();
+            throw FileError("no section " + std::string(name));
+        }
+    }
+    void leave() override { path_.pop_back(); }
+
+    Saved saved;
+
+ private:
+    std::string path(std::string_view name) const {
+        std::string whole;
+        for (const std::string& part : path_) whole += part;
+        return whole + std::string(name);
+    }
+    template <class T>
+    void transfer(std::string_view name, T& v) {
+        const std::string key = path(name);
+        if (loading_) {
+            const auto found = saved.find(key);
+            if (found == saved.end()) throw FileError("no value " + key);
+            v = std::get<T>(found->second);
+        } else if (!saved.emplace(key, v).second) {
+            throw FileError("written twice: " + key);
+        }
+    }
+
+    bool loading_ = false;
+    std::vector<std::string> path_;
+};
+
+inline Step call(std::string label, Method& method, int action = 0) {
+    return {Call{std::move(label), &method, action, {}}};
+}
+
+inline Step every(std::string label, Method& method, Trigger trigger) {
+    return {Call{std::move(label), &method, 0, std::move(trigger)}};
+}
+
+inline Layer fixedLayer(std::string name, double dt, std::vector<Step> steps,
+                        Fit fit = Fit::split) {
+    return {std::move(name), {}, dt, fit, std::move(steps)};
+}
+
+inline Trigger eachTime(double interval) { return {Trigger::Kind::time, interval, ""}; }
+inline Trigger eachSteps(int n, std::string layer = "") {
+    return {Trigger::Kind::steps, static_cast<double>(n), std::move(layer)};
+}
+
+}  // namespace sphinx::loop::fake
