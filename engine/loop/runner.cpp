@@ -73,6 +73,23 @@ void Runner::transfer(Archive& archive) {
     if (archive.loading()) resumed_ = true;
 }
 
+Profile Runner::profile() const {
+    Profile profile;
+    profile.loop_seconds = loop_.seconds();
+    profile.lines.push_back(profileLayer(outermost_, profile.steps));
+    profile.lines.push_back(profileLine("checks after each step", "checks", after_step_));
+    for (std::size_t k = 0; k < plan_.start.size(); ++k) {
+        profile.start.push_back(profileLine(plan_.start[k].label, "start", start_tallies_[k]));
+        profile.start_seconds += profile.start.back().seconds;
+    }
+    for (const OutputSchedule::EntryRun& run : outputs_.entries()) {
+        profile.outputs.push_back(profileLine(run.entry.name, "output", run.tally));
+        profile.output_seconds += profile.outputs.back().seconds;
+    }
+    setShares(profile);
+    return profile;
+}
+
 Progress Runner::progress() const {
     Progress progress;
     progress.time = clock().time;

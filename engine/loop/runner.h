@@ -5,6 +5,7 @@
 #include "core/progress.h"
 #include "core/timer.h"
 #include "loop/output_schedule.h"
+#include "loop/profile.h"
 
 #include <functional>
 #include <optional>
@@ -42,6 +43,7 @@ class Runner {
     /// Of the outermost layer.
     const Clock& clock() const { return outermost_.clock(); }
     Progress progress() const;
+    Profile profile() const;
 
  private:
     void start();

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "loop/check.h"
+#include "loop/flow.h"
+
+#include <vector>
+
+/// The parts of checkLoop(); each appends what it finds.
+namespace sphinx::loop {
+
+/// Time steps, fit policies, bodies that nothing moves.
+void checkLayers(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
+/// Reads before writes.
+void checkFields(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
+/// Accumulated fields.
+void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
+/// Neighbor lists.
+void checkNeighbors(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
+
+}  // namespace sphinx::loop
