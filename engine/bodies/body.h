@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace sphinx {
 
@@ -24,6 +25,8 @@ struct Body {
     geometry::ShapePointer<Dim> shape;            ///< null for bodies given by points
     double spacing = 0;                           ///< dp, length
     Kernel<Dim> kernel;
+    Vec<Dim> gravity = Vec<Dim>::Zero();          ///< sum of its uniform gravities, acceleration
+    std::vector<Body*> sees;                      ///< topology: whose particles act on this body
     /// Counts every change of positions or order of the particles: a list that was built at
     /// another count is stale.
     std::uint64_t version = 0;

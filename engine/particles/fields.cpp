@@ -6,9 +6,19 @@ namespace sphinx::fields {
 
 const std::vector<const FieldInfo*>& all() {
     static const std::vector<const FieldInfo*> list = {
-        &id,       &position,     &velocity, &mass,         &volume,
-        &density,  &density_rate, &pressure, &acceleration, &external_acceleration,
+        &id,
+        &position,
+        &velocity,
+        &mass,
+        &volume,
+        &density,
+        &density_rate,
+        &reference_density,
+        &pressure,
+        &acceleration,
+        &external_acceleration,
         &normal,
+        &depth,
     };
     return list;
 }

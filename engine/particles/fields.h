@@ -21,14 +21,18 @@ inline constexpr FieldInfo volume{"volume", Rank::scalar, unit::volume,
 inline constexpr FieldInfo density{"density", Rank::scalar, unit::density, "density"};
 inline constexpr FieldInfo density_rate{"density_rate", Rank::scalar, unit::density_rate,
                                         "rate of change of the density by the continuity equation"};
+inline constexpr FieldInfo reference_density{
+    "reference_density", Rank::scalar, unit::density, "density at the start, for confined flows"};
 inline constexpr FieldInfo pressure{"pressure", Rank::scalar, unit::pressure, "pressure"};
 inline constexpr FieldInfo acceleration{"acceleration", Rank::vector, unit::acceleration,
-                                        "acceleration by pressure forces"};
+                                        "acceleration of a solid particle"};
 inline constexpr FieldInfo external_acceleration{
     "external_acceleration", Rank::vector, unit::acceleration,
     "acceleration by all other forces (gravity, viscosity), held over a substep"};
 inline constexpr FieldInfo normal{"normal", Rank::vector, unit::none,
                                   "outward unit normal of the body's surface"};
+inline constexpr FieldInfo depth{"depth", Rank::scalar, unit::length,
+                                 "distance of a solid particle from the body's surface"};
 
 /// The field of that name, or nullptr.
 const FieldInfo* find(std::string_view name);

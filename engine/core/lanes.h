@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace sphinx {
+
+/// Eight neighbors at a time: the unit in which neighbor lists are stored and summed. Vector types
+/// of the compiler (GCC and Clang), so the same code becomes AVX-512, AVX2, SSE2 or NEON.
+inline constexpr int lane_count = 8;
+using Lanes = double __attribute__((vector_size(64)));
+using FloatLanes = float __attribute__((vector_size(32)));
+using HalfLanes = double __attribute__((vector_size(32)));
+using LaneMask = std::int64_t __attribute__((vector_size(64)));
+
+inline Lanes lanes(double a) { return Lanes{a, a, a, a, a, a, a, a}; }
+
+inline Lanes loadLanes(const double* p) {
+    Lanes a;
+    std::memcpy(&a, p, sizeof a);
+    return a;
+}
+inline Lanes loadLanes(const float* p) {
+    FloatLanes a;
+    std::memcpy(&a, p, sizeof a);
+    return __builtin_convertvector(a, Lanes);
+}
+
+inline Lanes maxLanes(Lanes a, Lanes b) { return a > b ? a : b; }
+inline Lanes minLanes(Lanes a, Lanes b) { return a < b ? a : b; }
+
+inline FloatLanes sqrtLanes(FloatLanes a) {
+    FloatLanes r;
+#pragma omp simd
+    for (int k = 0; k < lane_count; ++k) r[k] = std::sqrt(a[k]);
+    return r;
+}
+
+/// Sum over the lanes, always in the same order.
+inline double sumLanes(Lanes a) {
+    using Pair = double __attribute__((vector_size(16)));
+    const HalfLanes h = __builtin_shufflevector(a, a, 0, 1, 2, 3) +
+                        __builtin_shufflevector(a, a, 4, 5, 6, 7);
+    const Pair q = __builtin_shufflevector(h, h, 0, 1) + __builtin_shufflevector(h, h, 2, 3);
+    return q[0] + q[1];
+}
+
+/// p[index[k]] of eight particles.
+inline Lanes gatherLanes(const double* p, const std::uint32_t* index) {
+    return Lanes{p[index[0]], p[index[1]], p[index[2]], p[index[3]],
+                 p[index[4]], p[index[5]], p[index[6]], p[index[7]]};
+}
+
+/// The first four doubles of records of `Stride` doubles, of eight particles, transposed:
+/// out[c][k] = base[Stride * index[k] + c]. Loads and shuffles beat hardware gathers.
+template <int Stride>
+inline void gatherRecords(const double* base, const std::uint32_t* index, Lanes out[4]) {
+    const auto row = [&](int k) {
+        HalfLanes a;
+        std::memcpy(&a, base + std::size_t{Stride} * index[k], sizeof a);
+        return a;
+    };
+    const auto join = [](HalfLanes a, HalfLanes b) {
+        return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+    };
+    const Lanes c01 = join(row(0), row(1));
+    const Lanes c23 = join(row(2), row(3));
+    const Lanes c45 = join(row(4), row(5));
+    const Lanes c67 = join(row(6), row(7));
+    const Lanes a = __builtin_shufflevector(c01, c23, 0, 4, 8, 12, 1, 5, 9, 13);
+    const Lanes b = __builtin_shufflevector(c45, c67, 0, 4, 8, 12, 1, 5, 9, 13);
+    const Lanes c = __builtin_shufflevector(c01, c23, 2, 6, 10, 14, 3, 7, 11, 15);
+    const Lanes d = __builtin_shufflevector(c45, c67, 2, 6, 10, 14, 3, 7, 11, 15);
+    out[0] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+    out[1] = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+    out[2] = __builtin_shufflevector(c, d, 0, 1, 2, 3, 8, 9, 10, 11);
+    out[3] = __builtin_shufflevector(c, d, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
+}  // namespace sphinx

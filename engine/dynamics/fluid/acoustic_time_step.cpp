@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fluid/acoustic_time_step.h"
+
+#include "core/parallel.h"
+#include "materials/fluid.h"
+
+#include <cmath>
+
+namespace sphinx::fluid {
+
+template <int Dim>
+AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
+    : body_(&body),
+      cfl_(cfl),
+      c0_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).soundSpeed()),
+      velocity_(body.particles.vector(fields::velocity)) {}
+
+template <int Dim>
+double AcousticTimeStep<Dim>::estimate() {
+    const double speed2 = parallelMax(
+        body_->size(), 0.0, [&](std::size_t i) { return velocity_[i].squaredNorm(); });
+    return cfl_ * body_->kernel.smoothingLength() / (c0_ + std::sqrt(speed2));
+}
+
+void declareAcousticTimeStep(input::Registry& registry) {
+    using P = AcousticTimeStepParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.acoustic_time_step");
+    d.summary("Time step by the speed of sound");
+    d.formula("guide (53): cfl h / (c0 + abs(v)_max)");
+    d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
+    d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
+    d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
+    d.timeStep("").reads("body", {"velocity"});
+    d.builder(factory<TimeStepMethod, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<AcousticTimeStep<Dim>>(bodyOf(context, p.body), p.cfl);
+    }));
+}
+
+template class AcousticTimeStep<2>;
+template class AcousticTimeStep<3>;
+
+}  // namespace sphinx::fluid

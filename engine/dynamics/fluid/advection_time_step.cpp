@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fluid/advection_time_step.h"
+
+#include "core/parallel.h"
+#include "materials/fluid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sphinx::fluid {
+
+template <int Dim>
+AdvectionTimeStep<Dim>::AdvectionTimeStep(Body<Dim>& body, double reference_speed, double cfl)
+    : body_(&body),
+      reference_speed_(reference_speed),
+      cfl_(cfl),
+      velocity_(body.particles.vector(fields::velocity)) {
+    const auto& fluid = dynamic_cast<const WeaklyCompressibleFluid&>(*body.material);
+    nu_ = fluid.viscosity() / fluid.density();
+}
+
+template <int Dim>
+double AdvectionTimeStep<Dim>::estimate() {
+    const double speed2 = parallelMax(
+        body_->size(), 0.0, [&](std::size_t i) { return velocity_[i].squaredNorm(); });
+    const double h = body_->kernel.smoothingLength();
+    const double step = h / std::max(std::sqrt(speed2), reference_speed_);
+    return cfl_ * (nu_ > 0 ? std::min(step, h * h / nu_) : step);
+}
+
+void declareAdvectionTimeStep(input::Registry& registry) {
+    using P = AdvectionTimeStepParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.advection_time_step");
+    d.summary("Time step by advection and viscosity");
+    d.formula("guide (52): cfl min(h / max(abs(v)_max, reference_speed), h^2 / nu)");
+    d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
+    d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
+    d.required("reference_speed", &P::reference_speed, input::number(unit::velocity).above(0),
+               "typical speed of the flow; keeps the step finite while the fluid is at rest");
+    d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
+    d.timeStep("").reads("body", {"velocity"});
+    d.builder(factory<TimeStepMethod, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<AdvectionTimeStep<Dim>>(bodyOf(context, p.body), p.reference_speed,
+                                                        p.cfl);
+    }));
+}
+
+template class AdvectionTimeStep<2>;
+template class AdvectionTimeStep<3>;
+
+}  // namespace sphinx::fluid

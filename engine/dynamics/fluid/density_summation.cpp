@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fluid/density_summation.h"
+
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sphinx::fluid {
+
+template <int Dim>
+DensitySummation<Dim>::DensitySummation(Context<Dim>& context, Body<Dim>& body, Surface surface)
+    : body_(&body),
+      surface_(surface),
+      rho0_(body.material->density()),
+      own_(body.kernel.value(0)),
+      lattice_sum_(body.kernel.latticeSum(body.spacing)),
+      density_(body.particles.scalar(fields::density)) {
+    if (surface == Surface::confined)
+        reference_ = &body.particles.scalar(fields::reference_density);
+    for (Body<Dim>* other : body.sees) {
+        Relation<Dim>& relation = context.relations.relation(body, *other);
+        relation.list.keep_kernel_sum = true;
+        terms_.push_back({&relation, std::pow(other->spacing / body.spacing, Dim)});
+    }
+}
+
+template <int Dim>
+void DensitySummation<Dim>::run(int, const Clock&) {
+    parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            double sum = own_;
+            for (const Term& term : terms_) sum += term.weight * term.relation->list.kernel_sum[i];
+            const double ratio = sum / lattice_sum_;
+            density_[i] = surface_ == Surface::free ? std::max(density_[i], rho0_ * ratio)
+                                                    : (*reference_)[i] * ratio;
+        }
+    });
+}
+
+void declareDensitySummation(input::Registry& registry) {
+    using P = DensitySummationParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.density_summation");
+    d.summary("Density from the sum of the kernel over the neighbors");
+    d.formula("guide (54) free: max(rho, rho0 S/S0); (55) confined: rho(start) S/S0");
+    d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
+    d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
+    d.optional("surface", &P::surface,
+               input::choice<Surface>({
+                   {"free", Surface::free, "flow with a free surface"},
+                   {"confined", Surface::confined, "flow without free surface"},
+               }),
+               "whether the fluid has a free surface");
+    d.action("", "")
+        .reads("body", {"density", "fresh_neighbors"})
+        .writes("body", {"density"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<DensitySummation<Dim>>(context, bodyOf(context, p.body), p.surface);
+    }));
+}
+
+template class DensitySummation<2>;
+template class DensitySummation<3>;
+
+}  // namespace sphinx::fluid

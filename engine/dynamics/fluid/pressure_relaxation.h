@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+#include "dynamics/fluid/pair_state.h"
+#include "dynamics/fluid/riemann.h"
+#include "materials/fluid.h"
+
+namespace sphinx::fluid {
+
+struct PressureRelaxationParameters {
+    input::Name body;
+    Riemann riemann = Riemann::low_dissipation;
+};
+
+/// Acoustic step of a weakly compressible fluid, guide (51) and (56)-(58) read as drift-kick-drift:
+///   first half:  rho += dt/2 drho, p(rho), r += dt/2 v, then
+///                dv_i = -1/m_i sum_j 2 p*_ij e_ij W' V_i V_j + external,  v += dt dv
+///   second half: drho_i = rho_i sum_j 2 (v_i - v*_ij) . e_ij W' V_j,  rho += dt/2 drho, r += dt/2 v
+/// with p* and v* of the Riemann problem (riemann.h). Each sum runs once a step, and a solid loaded
+/// between the halves feels the pressure that the fluid felt.
+///
+/// In gravity the pressures in U* are those above the hydrostatic one, p - rho0 g . r: a fluid at rest
+/// is left at rest (Fourtakas et al. 2019, doi:10.1016/j.compfluid.2019.06.009, for the equivalent
+/// density diffusion).
+///
+/// Solid neighbors are walls of dummy particles, one-sided Riemann problem along the wall's normal n
+/// (turned towards the fluid): the ghost has the mirrored normal velocity (free slip) and the
+/// pressure p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij).
+template <int Dim>
+class PressureRelaxation final : public Method {
+   public:
+    PressureRelaxation(Context<Dim>& context, Body<Dim>& body, Riemann riemann);
+
+    void run(int action, const Clock& clock) override;
+    std::size_t workSize() const override { return body_->size(); }
+
+    void firstHalf(double dt);
+    void secondHalf(double dt);
+
+   private:
+    struct Wall {
+        const Relation<Dim>* relation;
+        const Field<Vec<Dim>>* velocity;
+        const Field<Vec<Dim>>* acceleration;
+        const Field<Vec<Dim>>* normal;
+        const Field<double>* volume;
+    };
+    void predict(double dt);
+    template <Riemann R>
+    void momentum(double dt);
+    template <Riemann R>
+    void continuity(double dt);
+
+    Body<Dim>* body_;
+    const Domain<Dim>* domain_;
+    const WeaklyCompressibleFluid* fluid_;
+    Riemann riemann_;
+    RiemannConstants constants_;
+    const Relation<Dim>* self_ = nullptr;
+    std::vector<Wall> walls_;
+
+    Field<Vec<Dim>>& position_;
+    Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& external_;
+    Field<double>& mass_;
+    Field<double>& volume_;
+    Field<double>& density_;
+    Field<double>& density_rate_;
+    Field<double>& pressure_;
+
+    AlignedVector<PairState<Dim>> before_;  // packed at the half step, read by the momentum sum
+    // With the new velocity and the pressure above the hydrostatic, read by the continuity sum.
+    AlignedVector<PairState<Dim>> after_;
+};
+
+/// Registers fluid.pressure_relaxation.
+void declarePressureRelaxation(input::Registry& registry);
+
+extern template class PressureRelaxation<2>;
+extern template class PressureRelaxation<3>;
+
+}  // namespace sphinx::fluid

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fluid/viscous_force.h"
+
+#include "core/parallel.h"
+#include "dynamics/pair_loop.h"
+
+namespace sphinx::fluid {
+
+template <int Dim>
+ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip slip)
+    : body_(&body),
+      mu_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).viscosity()),
+      nearest_(0.25 * body.spacing),
+      velocity_(body.particles.vector(fields::velocity)),
+      external_(body.particles.vector(fields::external_acceleration)),
+      mass_(body.particles.scalar(fields::mass)),
+      volume_(body.particles.scalar(fields::volume)) {
+    for (Body<Dim>* other : body.sees) {
+        if (other != &body && slip == WallSlip::free_slip) continue;
+        Relation<Dim>& relation = context.relations.relation(body, *other);
+        relation.list.keep_distance = true;
+        if (other == &body) {
+            self_ = &relation;
+        } else {
+            ParticleSet<Dim>& p = other->particles;
+            walls_.push_back({&relation, &p.vector(fields::velocity), &p.vector(fields::normal),
+                              &p.scalar(fields::depth), &p.scalar(fields::volume)});
+        }
+    }
+}
+
+template <int Dim>
+void ViscousForce<Dim>::run(int, const Clock&) {
+    const double factor = 2 * (Dim + 2) * mu_;
+    parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Vec<Dim> v = velocity_[i];
+            Lanes sum[Dim] = {};
+            // (v_ij . e) e W'/r V_j = (v_ij . g) g / (W' r) V_j with g = e W' and W' = -abs(W').
+            const auto add = [&](const Pairs<Dim>& pair, Lanes closing, Lanes r, Lanes V) {
+                const Lanes f = -closing * pair.inverse_dW * V / maxLanes(r, lanes(1e-30));
+                for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+            };
+            const float* distance = self_->list.distancesOf(i);
+            forEachPair(self_->list, i, [&](const Pairs<Dim>& pair) {
+                Lanes closing = {};
+                for (int k = 0; k < lane_count; ++k) {
+                    const Vec<Dim>& vj = velocity_[pair.index[k]];
+                    for (int c = 0; c < Dim; ++c) closing[k] += (v[c] - vj[c]) * pair.gradient[c][k];
+                }
+                add(pair, closing, loadLanes(distance), gatherLanes(volume_.data(), pair.index));
+                distance += lane_count;
+            });
+            for (const Wall& wall : walls_) {
+                const float* r = wall.relation->list.distancesOf(i);
+                forEachPair(wall.relation->list, i, [&](const Pairs<Dim>& pair) {
+                    Lanes closing = {};
+                    for (int k = 0; k < lane_count; ++k) {
+                        const Index j = pair.index[k];
+                        const Vec<Dim>& vw = (*wall.velocity)[j];
+                        const Vec<Dim>& n = (*wall.normal)[j];
+                        double apart = 0;  // of the two particles, across the wall's surface
+                        double speed = 0;
+                        for (int c = 0; c < Dim; ++c) {
+                            apart -= n[c] * pair.gradient[c][k];
+                            speed += (v[c] - vw[c]) * pair.gradient[c][k];
+                        }
+                        apart = std::abs(apart) * pair.inverse_dW[k] * r[k];
+                        const double depth = (*wall.depth)[j];
+                        closing[k] = speed * (1 + depth / std::max(apart - depth, nearest_));
+                    }
+                    add(pair, closing, loadLanes(r), gatherLanes(wall.volume->data(), pair.index));
+                    r += lane_count;
+                });
+            }
+            const double scale = factor * volume_[i] / mass_[i];
+            for (int c = 0; c < Dim; ++c) external_[i][c] += scale * sumLanes(sum[c]);
+        }
+    });
+}
+
+void declareViscousForce(input::Registry& registry) {
+    using P = ViscousForceParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.viscous_force");
+    d.summary("Viscous force between fluid particles and from no-slip walls");
+    d.formula("guide (35): dv_i/dt = 2 (d+2) mu/m_i sum_j (v_ij . e_ij)/r_ij e_ij W' V_i V_j");
+    d.citation("Morris, Fox & Zhu 1997, doi:10.1006/jcph.1997.5776 (velocity inside walls)");
+    d.required("body", &P::body, input::bodyReference({"fluid"}),
+               "fluid; its material gives the viscosity");
+    d.optional("wall", &P::wall,
+               input::choice<WallSlip>({
+                   {"no_slip", WallSlip::no_slip, "the fluid sticks to solids"},
+                   {"free_slip", WallSlip::free_slip, "solids exert no viscous force"},
+               }),
+               "condition at solids");
+    d.action("", "")
+        .reads("body", {"velocity", "mass", "volume", "neighbors"})
+        .reads("neighbors.solid", {"velocity", "normal", "depth", "volume"})
+        .accumulates("body", {"external_acceleration"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<ViscousForce<Dim>>(context, bodyOf(context, p.body), p.wall);
+    }));
+}
+
+template class ViscousForce<2>;
+template class ViscousForce<3>;
+
+}  // namespace sphinx::fluid

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/neighbors/update.h"
+
+#include "core/errors.h"
+#include "core/log.h"
+#include "core/parallel.h"
+
+#include <fmt/format.h>
+
+namespace sphinx::neighbors {
+
+template <int Dim>
+Update<Dim>::Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies)
+    : context_(context), bodies_(std::move(bodies)) {}
+
+template <int Dim>
+std::size_t Update<Dim>::workSize() const {
+    std::size_t n = 0;
+    for (const Body<Dim>* body : bodies_) n += body->size();
+    return n;
+}
+
+template <int Dim>
+void Update<Dim>::run(int, const Clock& clock) {
+    for (Body<Dim>* body : bodies_) keepInside(*body, clock);
+    context_.relations.update(bodies_);
+}
+
+template <int Dim>
+void Update<Dim>::keepInside(Body<Dim>& body, const Clock& clock) {
+    const Domain<Dim>& domain = context_.world.domain;
+    auto& position = body.particles.position();
+    for (int k = 0; k < Dim; ++k) {
+        if (!domain.periodic[k]) continue;
+        const double lower = domain.bounds.lower[k];
+        const double upper = domain.bounds.upper[k];
+        const double period = upper - lower;
+        parallelFor(body.size(), [&](std::size_t i) {
+            double& x = position[i][k];
+            if (x < lower) x += period;
+            if (x >= upper) x -= period;
+        });
+    }
+    const auto outside = [&](std::size_t i) { return !domain.bounds.contains(position[i]); };
+    const auto lost = parallelSum(body.size(), [&](std::size_t i) { return outside(i) ? 1L : 0L; });
+    if (lost == 0) return;
+
+    std::vector<Index> particles;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        if (!outside(i)) continue;
+        const Vec<Dim>& x = position[i];
+        const auto id = body.particles.id()[i];
+        const std::string place = Dim == 2 ? fmt::format("({:g}, {:g})", x[0], x[1])
+                                           : fmt::format("({:g}, {:g}, {:g})", x[0], x[1], x[Dim - 1]);
+        if (!x.allFinite())
+            throw PhysicsError(fmt::format("position of particle {} of {} is {} at time {:g}", id,
+                                           body.name, place, clock.time));
+        const std::string message = fmt::format("particle {} of {} left the domain at {}, time {:g}",
+                                                id, body.name, place, clock.time);
+        if (domain.lost == LostParticles::stop)
+            throw PhysicsError(message + " (lost_particles: remove would go on without it)");
+        log::info("removed: " + message);
+        particles.push_back(static_cast<Index>(i));
+    }
+    body.particles.remove(particles);
+    ++body.version;
+}
+
+void declareUpdate(input::Registry& registry) {
+    using P = UpdateParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "neighbors.update");
+    d.summary("Rebuilds every neighbor list with one of the bodies on either side");
+    d.required("bodies", &P::bodies, input::list(input::bodyReference({"fluid", "solid"})),
+               "bodies that have moved");
+    d.action("", "")
+        .reads("bodies", {"position"})
+        .writes("bodies", {"neighbors"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        std::vector<Body<Dim>*> bodies;
+        for (const input::Name& name : p.bodies) bodies.push_back(&bodyOf(context, name));
+        return std::make_unique<Update<Dim>>(context, std::move(bodies));
+    }));
+}
+
+template class Update<2>;
+template class Update<3>;
+
+}  // namespace sphinx::neighbors

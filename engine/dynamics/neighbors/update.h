@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+
+namespace sphinx::neighbors {
+
+struct UpdateParameters {
+    std::vector<input::Name> bodies;
+};
+
+/// Brings particles that left a periodic domain back on the other side, treats lost particles as
+/// the domain says, and rebuilds every list with one of the bodies on either side.
+template <int Dim>
+class Update final : public Method {
+   public:
+    Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies);
+
+    void run(int action, const Clock& clock) override;
+    std::size_t workSize() const override;
+
+   private:
+    void keepInside(Body<Dim>& body, const Clock& clock);
+
+    Context<Dim> context_;
+    std::vector<Body<Dim>*> bodies_;
+};
+
+/// Registers neighbors.update.
+void declareUpdate(input::Registry& registry);
+
+extern template class Update<2>;
+extern template class Update<3>;
+
+}  // namespace sphinx::neighbors

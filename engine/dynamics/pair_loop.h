@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/lanes.h"
+#include "neighbors/neighbor_list.h"
+
+#include <cmath>
+
+namespace sphinx {
+
+/// Eight pairs of particle i with neighbors j, as pair terms see them.
+template <int Dim>
+struct Pairs {
+    const std::uint32_t* index;  ///< j
+    Lanes gradient[Dim];         ///< e_ij W'
+    Lanes dW;                    ///< abs(W') = -W'
+    Lanes inverse_dW;            ///< 1 / abs(W'), large but finite where W' is 0
+};
+
+/// term(Pairs) for all neighbors of i, eight at a time. Unused places have a zero gradient, so a term
+/// that is linear in the gradient needs no mask. The length of the gradient is taken in float, as
+/// it is stored: it is the same for ij and ji.
+template <int Dim, class Term>
+inline void forEachPair(const NeighborList<Dim, float>& list, std::size_t i, Term&& term) {
+    for (const PairBlock<Dim, float>& block : list.of(i)) {
+        FloatLanes g[Dim];
+        FloatLanes norm2 = {};
+        Pairs<Dim> pairs;
+        pairs.index = block.index;
+        for (int c = 0; c < Dim; ++c) {
+            std::memcpy(&g[c], block.gradient[c], sizeof g[c]);
+            norm2 += g[c] * g[c];
+            pairs.gradient[c] = __builtin_convertvector(g[c], Lanes);
+        }
+        const FloatLanes norm = sqrtLanes(norm2);
+        const FloatLanes tiny = FloatLanes{} + 1e-30f;
+        pairs.dW = __builtin_convertvector(norm, Lanes);
+        pairs.inverse_dW = __builtin_convertvector(1.0f / (norm + tiny), Lanes);
+        term(pairs);
+    }
+}
+
+}  // namespace sphinx

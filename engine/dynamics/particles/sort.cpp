@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/particles/sort.h"
+
+namespace sphinx::particles {
+
+template <int Dim>
+void Sort<Dim>::run(int, const Clock&) {
+    grid_.build(body_->particles.position().data(), body_->size(), body_->kernel.cutoff());
+    body_->particles.permute(grid_.order());
+    ++body_->version;
+}
+
+void declareSort(input::Registry& registry) {
+    using P = SortParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "particles.sort");
+    d.summary("Reorders the particles of a body in memory by place, for speed");
+    d.required("body", &P::body, input::bodyReference({"fluid"}), "body");
+    d.trait("permutes");
+    d.action("", "").reads("body", {"position"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<Sort<Dim>>(bodyOf(context, p.body));
+    }));
+}
+
+template class Sort<2>;
+template class Sort<3>;
+
+}  // namespace sphinx::particles

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+#include "neighbors/cell_grid.h"
+
+namespace sphinx::particles {
+
+struct SortParameters {
+    input::Name body;
+};
+
+/// Reorders the particles of a body cell by cell, so that neighbors in space are neighbors in
+/// memory. Changes no value; lists of the body must be rebuilt afterwards.
+template <int Dim>
+class Sort final : public Method {
+   public:
+    explicit Sort(Body<Dim>& body) : body_(&body) {}
+
+    void run(int action, const Clock& clock) override;
+    std::size_t workSize() const override { return body_->size(); }
+
+   private:
+    Body<Dim>* body_;
+    CellGrid<Dim> grid_;
+};
+
+/// Registers particles.sort.
+void declareSort(input::Registry& registry);
+
+extern template class Sort<2>;
+extern template class Sort<3>;
+
+}  // namespace sphinx::particles

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/register.h"
+
+#include "dynamics/fluid/acoustic_time_step.h"
+#include "dynamics/fluid/advection_time_step.h"
+#include "dynamics/fluid/density_summation.h"
+#include "dynamics/fluid/pressure_relaxation.h"
+#include "dynamics/fluid/viscous_force.h"
+#include "dynamics/force/body_force.h"
+#include "dynamics/force/gravity.h"
+#include "dynamics/geometry/normals_from_shape.h"
+#include "dynamics/neighbors/update.h"
+#include "dynamics/particles/sort.h"
+
+namespace sphinx {
+
+void registerDynamics(input::Registry& registry) {
+    fluid::declareAcousticTimeStep(registry);
+    fluid::declareAdvectionTimeStep(registry);
+    fluid::declareDensitySummation(registry);
+    fluid::declarePressureRelaxation(registry);
+    fluid::declareViscousForce(registry);
+    force::declareBodyForce(registry);
+    force::declareGravity(registry);
+    geometry::declareNormalsFromShape(registry);
+    neighbors::declareUpdate(registry);
+    particles::declareSort(registry);
+}
+
+}  // namespace sphinx

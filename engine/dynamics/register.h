@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input/registry.h"
+
+namespace sphinx {
+
+/// Declares every method. By explicit calls: a static library may drop static initialisers.
+void registerDynamics(input::Registry& registry);
+
+}  // namespace sphinx

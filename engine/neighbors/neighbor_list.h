@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/aligned.h"
+#include "core/lanes.h"
+#include "core/types.h"
+
+#include <cstdint>
+#include <span>
+
+namespace sphinx {
+
+/// Eight neighbors of one particle. gradient = e_ij W'(r_ij), e_ij = (r_i - r_j)/r_ij, so it is the
+/// gradient of W with respect to the particle's own position, 1/length^(Dim+1).
+/// Places beyond the last neighbor repeat an index and carry a zero gradient.
+/// Real is float for lists that follow the motion (sums are in double; e W' alone is antisymmetric
+/// to the last bit), double for lists of the reference configuration.
+template <int Dim, class Real>
+struct alignas(32) PairBlock {
+    std::uint32_t index[lane_count];
+    Real gradient[Dim][lane_count];
+};
+
+/// Neighbors in body `to` of every particle of body `from`, r < cutoff, the particle itself left
+/// out.
+template <int Dim, class Real = float>
+struct NeighborList {
+    using Block = PairBlock<Dim, Real>;
+    struct Range {
+        std::uint64_t first = 0;   ///< index of the first block
+        std::uint32_t blocks = 0;
+        std::uint32_t count = 0;   ///< neighbors
+    };
+
+    double cutoff = 0;  ///< length
+    AlignedVector<Range> ranges;
+    AlignedVector<Block> blocks;
+    /// r_ij, eight per block, kept on request. Length.
+    bool keep_distance = false;
+    AlignedVector<float> distance;
+    /// Sum over the neighbors of W(r_ij), kept on request. 1/length^Dim.
+    bool keep_kernel_sum = false;
+    AlignedVector<double> kernel_sum;
+
+    std::span<const Block> of(std::size_t i) const {
+        return {blocks.data() + ranges[i].first, ranges[i].blocks};
+    }
+    const float* distancesOf(std::size_t i) const {
+        return distance.data() + ranges[i].first * lane_count;
+    }
+    std::size_t bytes() const {
+        return ranges.capacity() * sizeof(Range) + blocks.capacity() * sizeof(Block) +
+               4 * distance.capacity() + 8 * kernel_sum.capacity();
+    }
+};
+
+}  // namespace sphinx

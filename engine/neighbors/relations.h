@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/world.h"
+#include "neighbors/cell_grid.h"
+#include "neighbors/neighbor_list.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace sphinx {
+
+/// Neighbors in one body of the particles of another (or the same), kept up to date on request.
+template <int Dim>
+struct Relation {
+    Body<Dim>* from = nullptr;
+    Body<Dim>* to = nullptr;
+    NeighborList<Dim> list;
+    std::uint64_t from_version = ~std::uint64_t{0};  ///< versions of the bodies when last built
+    std::uint64_t to_version = ~std::uint64_t{0};
+};
+
+/// All relations of a simulation and the cell grids they share, one grid per body.
+template <int Dim>
+class Relations {
+   public:
+    explicit Relations(World<Dim>& world) : world_(&world) {}
+
+    /// The relation, made (empty) on first use. Its address stays.
+    Relation<Dim>& relation(Body<Dim>& from, Body<Dim>& to);
+    /// Rebuilds those of the relations that have one of the bodies on either side and are stale.
+    /// Relations of observers are left to their outputs.
+    void update(const std::vector<Body<Dim>*>& bodies);
+    /// Rebuilds this one if it is stale.
+    void update(Relation<Dim>& relation);
+
+    std::size_t bytes() const;
+
+   private:
+    struct Grid {
+        CellGrid<Dim> cells;
+        std::uint64_t version = ~std::uint64_t{0};
+    };
+    const CellGrid<Dim>& grid(Body<Dim>& body);
+
+    World<Dim>* world_;
+    std::vector<std::unique_ptr<Relation<Dim>>> relations_;
+    std::map<const Body<Dim>*, Grid> grids_;
+};
+
+extern template class Relations<2>;
+extern template class Relations<3>;
+
+}  // namespace sphinx
