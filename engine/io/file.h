@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace sphinx::io {
+
+using Path = std::filesystem::path;
+
+/// An open file. Every failure is a FileError that names the file and the system's reason, like
+/// "cannot write out/x.vtu: No space left on device". Nothing is buffered: what write() has
+/// taken survives the death of the process.
+class File {
+ public:
+    static File create(const Path& path);      ///< new or emptied, for writing
+    static File openAppend(const Path& path);  ///< at its end, created when missing
+    static File openUpdate(const Path& path);  ///< an existing file, for reading and writing
+    static File openRead(const Path& path);
+
+    File(File&& other) noexcept;
+    File& operator=(File&& other) noexcept;
+    ~File();
+
+    const Path& path() const { return path_; }
+    void write(std::string_view bytes);
+    void writeAt(std::uint64_t offset, std::string_view bytes);
+    /// Reads up to `size` bytes; fewer only at the end of the file.
+    std::size_t read(char* to, std::size_t size);
+    void seek(std::uint64_t offset);
+    std::uint64_t size() const;
+    void truncate(std::uint64_t size);
+    /// Returns when the disk has everything.
+    void sync();
+    /// Unlike the destructor it reports a failure.
+    void close();
+
+ private:
+    File(const Path& path, int flags, const char* purpose);
+
+    Path path_;
+    int descriptor_ = -1;
+};
+
+/// A file that appears complete or not at all: written as PATH.tmp, synced and renamed by commit().
+/// Without commit() the temporary is removed and what was at PATH stays.
+class AtomicFile {
+ public:
+    explicit AtomicFile(const Path& path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    void write(std::string_view bytes) { file_.write(bytes); }
+    void writeAt(std::uint64_t offset, std::string_view bytes) { file_.writeAt(offset, bytes); }
+    void commit();
+
+ private:
+    Path path_;
+    File file_;
+    bool committed_ = false;
+};
+
+/// The name under which a file is written before it is complete.
+Path temporaryName(const Path& path);
+
+void writeFileAtomically(const Path& path, std::string_view content);
+/// Whole content of a file of at most `limit` bytes.
+std::string readFile(const Path& path, std::uint64_t limit);
+/// Makes renames and removals inside the folder durable.
+void syncFolder(const Path& folder);
+void makeFolder(const Path& folder);
+/// Keeps a results file that cannot be continued as NAME.before_STEP.EXTENSION, with a warning.
+void setAside(const Path& path, std::int64_t step);
+/// A file that is not there is as good as removed.
+void removeFile(const Path& path);
+
+}  // namespace sphinx::io

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sphinx::io {
+
+/// Shortest decimal that reads back as the same double; nan, inf, -inf. Independent of the locale.
+void appendNumber(std::string& text, double value);
+std::string numberText(double value);
+
+/// The same for files that must keep every bit: what decimals cannot say (a NaN other than the
+/// plain one) is written as its 16 hexadecimal digits after "0x". NaN and INF as in XML Schema.
+void appendExactNumber(std::string& text, double value);
+/// Nothing if the text is not exactly one such number.
+std::optional<double> parseExactNumber(std::string_view text);
+
+void appendInteger(std::string& text, std::int64_t value);
+/// Nothing if the text is not exactly one decimal integer that fits.
+std::optional<std::int64_t> parseInteger(std::string_view text);
+/// Eight hexadecimal digits, as for checksums.
+std::string hexText(std::uint32_t value);
+
+}  // namespace sphinx::io

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "io/vtkhdf.h"
+
+#include "io/results_file.h"
+#include "io/vtkhdf_layout.h"
+
+namespace sphinx::io {
+
+using namespace hdf5;
+
+/// The file of one body and what was written to it last.
+template <int Dim>
+class VtkHdfOutput<Dim>::Series {
+ public:
+    Series(const VtkHdfParameters& parameters, const BodyFrames<Dim>& frames)
+        : parameters_(parameters),
+          gatherer_(FieldLayout::padded, parameters.single_precision),
+          body_(frames.body),
+          path_(parameters.folder / (frames.body->name + ".vtkhdf")) {
+        members_.push_back({frames.body->particles.find(fields::position.name), 0, -1});
+        for (FieldBase* field : frameFields(frames)) members_.push_back({field, 0, -1});
+    }
+
+    void write(const Clock& clock, std::int64_t frame) {
+        if (!file_) create();
+        VtkHdfStep step;
+        step.time = clock.time;
+        step.frame = frame;
+        const std::size_t particles = body_->size();
+        step.part = layout_->part(*file_, particles);
+        for (std::size_t m = 0; m < members_.size(); ++m) {
+            Member& member = members_[m];
+            const std::uint64_t now = fieldFingerprint(*member.field, particles);
+            if (member.row < 0 || now != member.fingerprint) {
+                const std::string_view rows = gatherer_.gather(*member.field, particles).bytes;
+                member.row = layout_->append(*file_, m, rows);
+                member.fingerprint = now;
+            }
+            step.rows.push_back(member.row);
+        }
+        layout_->addStep(step);
+        commit(*file_, layout_->root(), true);
+    }
+
+    void resume(const Clock& clock, std::int64_t frames) {
+        if (!std::filesystem::exists(path_)) return;
+        makeLayout();
+        if (!layout_->load(path_, frames)) {
+            layout_.reset();
+            setAside(path_, clock.steps);
+            return;
+        }
+        file_ = SafeFile::open(path_);
+        commit(*file_, layout_->root(), true);
+    }
+
+ private:
+    struct Member {
+        FieldBase* field;
+        std::uint64_t fingerprint;
+        std::int64_t row;  // where it was written last, -1: not by this process
+    };
+
+    void create() {
+        makeLayout();
+        file_ = SafeFile::create(path_);
+    }
+
+    void makeLayout() {
+        std::vector<VtkHdfArray> arrays;
+        for (const Member& member : members_) {
+            const FieldInfo& info = member.field->info();
+            VtkHdfArray array;
+            array.name = info.name;
+            array.type = info.rank == Rank::integer     ? Number::int64
+                         : parameters_.single_precision ? Number::float32
+                                                        : Number::float64;
+            array.components = componentsOf<Dim>(info.rank, FieldLayout::padded);
+            array.attributes = {{"unit", unitText(info.unit, parameters_.units)},
+                                {"description", std::string(info.doc)}};
+            arrays.push_back(std::move(array));
+        }
+        layout_ = std::make_unique<VtkHdfLayout>(std::move(arrays), body_->size());
+        layout_->root().setAttributes(attributesOf(parameters_.provenance));
+    }
+
+    const VtkHdfParameters& parameters_;
+    ArrayGatherer<Dim> gatherer_;
+    const Body<Dim>* body_;
+    Path path_;
+    std::vector<Member> members_;  // the first one is the position
+    std::optional<SafeFile> file_;
+    std::unique_ptr<VtkHdfLayout> layout_;
+};
+
+template <int Dim>
+VtkHdfOutput<Dim>::VtkHdfOutput(VtkHdfParameters parameters, std::vector<BodyFrames<Dim>> bodies)
+    : parameters_(std::move(parameters)) {
+    for (const BodyFrames<Dim>& frames : bodies)
+        series_.push_back(std::make_unique<Series>(parameters_, frames));
+}
+
+template <int Dim>
+VtkHdfOutput<Dim>::~VtkHdfOutput() = default;
+
+template <int Dim>
+void VtkHdfOutput<Dim>::write(const Clock& clock) {
+    for (auto& series : series_) series->write(clock, frames_);
+    ++frames_;
+}
+
+template <int Dim>
+void VtkHdfOutput<Dim>::resume(const Clock& clock) {
+    for (auto& series : series_) series->resume(clock, frames_);
+}
+
+template class VtkHdfOutput<2>;
+template class VtkHdfOutput<3>;
+
+}  // namespace sphinx::io

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/body.h"
+#include "io/file.h"
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sphinx::test {
+
+inline constexpr FieldInfo strain{"strain", Rank::matrix, unit::none, "a matrix, for tests"};
+
+/// An empty folder for one test, removed afterwards.
+class TemporaryFolder {
+ public:
+    TemporaryFolder() {
+        std::string pattern =
+            (std::filesystem::temp_directory_path() / "sphinx_io_XXXXXX").string();
+        if (!::mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
+        path_ = pattern;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const io::Path& path() const { return path_; }
+    io::Path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+    io::Path path_;
+};
+
+/// Particles with velocity, pressure, mass and strain, all zero but mass.
+template <int Dim>
+std::unique_ptr<Body<Dim>> makeBody(const std::string& name, std::size_t particles) {
+    auto body = std::make_unique<Body<Dim>>();
+    body->name = name;
+    body->particles.vector(fields::velocity);
+    body->particles.scalar(fields::pressure);
+    body->particles.scalar(fields::mass);
+    body->particles.matrix(strain);
+    body->particles.append(particles);
+    for (std::size_t i = 0; i < particles; ++i) body->particles.scalar(fields::mass)[i] = 0.5;
+    return body;
+}
+
+/// Values that a reader can compute from id and frame (tests/regression/readers/samples.py).
+template <int Dim>
+void setValues(Body<Dim>& body, int frame) {
+    ParticleSet<Dim>& particles = body.particles;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const double id = static_cast<double>(particles.id()[i]);
+        for (int k = 0; k < Dim; ++k) {
+            particles.position()[i][k] = id / 7 + k + 0.25 * frame;
+            particles.vector(fields::velocity)[i][k] = id / 3 - k * frame;
+            for (int j = 0; j < Dim; ++j)
+                particles.matrix(strain)[i](k, j) = id + 10 * k + j + 100 * frame;
+        }
+        particles.scalar(fields::pressure)[i] = 1 / (id + 1) + frame;
+    }
+}
+
+}  // namespace sphinx::test
