@@ -17,6 +17,7 @@ namespace {
 struct State {
     std::mutex mutex;
     std::FILE* file = nullptr;
+    std::string status;
     bool terminal = true;
     std::set<std::string, std::less<>> warned;
 };
@@ -32,6 +33,24 @@ void write(std::FILE* stream, std::string_view prefix, std::string_view line) {
     std::fwrite(line.data(), 1, line.size(), stream);
     std::fputc('\n', stream);
     std::fflush(stream);
+}
+
+void clearStatus(const State& s) {
+    if (s.status.empty()) return;
+    std::fputs("\r\033[K", stdout);
+    std::fflush(stdout);
+}
+
+void drawStatus(const State& s) {
+    std::fputs(s.status.c_str(), stdout);
+    std::fflush(stdout);
+}
+
+/// A line on the terminal, above the status.
+void print(const State& s, std::FILE* stream, std::string_view prefix, std::string_view line) {
+    clearStatus(s);
+    write(stream, prefix, line);
+    drawStatus(s);
 }
 
 }  // namespace
@@ -54,7 +73,7 @@ void closeFile() {
 void info(std::string_view line) {
     State& s = state();
     std::lock_guard lock(s.mutex);
-    if (s.terminal) write(stdout, "", line);
+    if (s.terminal) print(s, stdout, "", line);
     write(s.file, "", line);
 }
 
@@ -62,14 +81,14 @@ void warning(std::string_view line) {
     State& s = state();
     std::lock_guard lock(s.mutex);
     if (!s.warned.emplace(line).second) return;
-    write(stderr, "warning: ", line);
+    print(s, stderr, "warning: ", line);
     write(s.file, "warning: ", line);
 }
 
 void error(std::string_view line) {
     State& s = state();
     std::lock_guard lock(s.mutex);
-    write(stderr, "error: ", line);
+    print(s, stderr, "error: ", line);
     write(s.file, "error: ", line);
 }
 
@@ -77,6 +96,14 @@ void fileOnly(std::string_view line) {
     State& s = state();
     std::lock_guard lock(s.mutex);
     write(s.file, "", line);
+}
+
+void status(std::string_view line) {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    clearStatus(s);
+    s.status = line;
+    drawStatus(s);
 }
 
 void setTerminal(bool on) {

@@ -19,6 +19,10 @@ void warning(std::string_view line);  ///< "warning: ..." to stderr and file; eq
 void error(std::string_view line);    ///< "error: ..." to stderr and file
 void fileOnly(std::string_view line);
 
+/// One line that stays below everything that is logged, rewritten in place (progress on a terminal;
+/// the caller asks isatty). An empty one removes it.
+void status(std::string_view line);
+
 /// Off: nothing goes to stdout (warnings and errors still reach stderr).
 void setTerminal(bool on);
 
