@@ -25,7 +25,9 @@ void BoxTree::build(const std::vector<Box<2>>& boxes, std::size_t first, std::si
         nodes_[self].first = nodes_[self].last = 0;
         const int axis = around.size().x() >= around.size().y() ? 0 : 1;
         const std::size_t middle = first + (last - first) / 2;
-        const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+        const auto at = [&](std::size_t i) {
+            return order_.begin() + static_cast<std::ptrdiff_t>(i);
+        };
         std::nth_element(at(first), at(middle), at(last), [&](std::uint32_t a, std::uint32_t b) {
             const double ca = boxes[a].lower[axis] + boxes[a].upper[axis];
             const double cb = boxes[b].lower[axis] + boxes[b].upper[axis];

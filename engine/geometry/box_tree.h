@@ -12,7 +12,7 @@ namespace sphinx::geometry {
 /// near a box or nearest to a point in logarithmic time. Knows nothing of the items but their box
 /// and their number.
 class BoxTree {
-   public:
+ public:
     BoxTree() = default;
     explicit BoxTree(const std::vector<Box<2>>& boxes);
 
@@ -25,11 +25,11 @@ class BoxTree {
     template <class Distance>
     void nearest(const Vec<2>& point, Distance&& distance) const;
 
-   private:
+ private:
     struct Node {
         Box<2> box;
         std::uint32_t first, last;  ///< items of a leaf in order_; first == last in an inner node
-        std::uint32_t next;         ///< node after this subtree; the children are this + 1 and its next
+        std::uint32_t next;  ///< node after this subtree; the children are this + 1 and its next
     };
     static constexpr std::size_t leaf_size = 4;
 

@@ -20,8 +20,8 @@ Combination::Decision Combination::decide(const Vec<3>& point) const {
     Decision decision{0, parts_[0]->signedDistance(point)};
     for (std::size_t i = 1; i < parts_.size(); ++i) {
         const double distance = sign(i) * parts_[i]->signedDistance(point);
-        const bool better = rule_ == Rule::any ? distance < decision.distance
-                                               : distance > decision.distance;
+        const bool better =
+            rule_ == Rule::any ? distance < decision.distance : distance > decision.distance;
         if (better) decision = {i, distance};
     }
     return decision;

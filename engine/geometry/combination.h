@@ -12,7 +12,7 @@ namespace sphinx::geometry {
 /// Boolean of solids by their signed distances: the smallest for a union, the largest for an
 /// intersection, subtracted shapes with the opposite sign. The part that decides gives the normal.
 class Combination final : public Composable<3> {
-   public:
+ public:
     /// At least one part.
     Combination(Rule rule, std::vector<ShapePointer<3>> parts);
 
@@ -24,7 +24,7 @@ class Combination final : public Composable<3> {
     ShapePointer<3> transformed(const Similarity<3>& map) const override;
     ShapePointer<3> grown(double by) const override;
 
-   private:
+ private:
     struct Decision {
         std::size_t part;
         double distance;

@@ -12,7 +12,7 @@ namespace sphinx::geometry {
 /// transform or offset goes down to the primitives, which know how to do it exactly.
 template <int Dim>
 class Composable : public Shape<Dim> {
-   public:
+ public:
     virtual ShapePointer<Dim> transformed(const Similarity<Dim>& map) const = 0;
     /// Null when nothing remains.
     virtual ShapePointer<Dim> grown(double by) const = 0;
@@ -20,7 +20,7 @@ class Composable : public Shape<Dim> {
 
 /// A shape of the plane that can give its boundary as polygons.
 class Region : public Composable<2> {
-   public:
+ public:
     virtual Rings rings() const = 0;
 };
 

@@ -40,7 +40,8 @@ Rings Disc::rings() const {
             ring[static_cast<std::size_t>((corner + n) % n)] = center_ + Vec<2>(dx, dy);
         };
         put(k, x, y), put(-k, x, -y), put(n / 2 - k, -x, y), put(n / 2 + k, -x, -y);
-        put(n / 4 - k, y, x), put(n / 4 + k, -y, x), put(-n / 4 + k, y, -x), put(-n / 4 - k, -y, -x);
+        put(n / 4 - k, y, x), put(n / 4 + k, -y, x), put(-n / 4 + k, y, -x),
+            put(-n / 4 - k, -y, -x);
     }
     return {ring};
 }

@@ -8,7 +8,7 @@ namespace sphinx::geometry {
 
 /// A circle, exact: smooth normals as long as no boolean makes a polygon of it.
 class Disc final : public Region {
-   public:
+ public:
     Disc(const Vec<2>& center, double radius) : center_(center), radius_(radius) {}
 
     bool contains(const Vec<2>& point) const override;
@@ -22,7 +22,7 @@ class Disc final : public Region {
     ShapePointer<2> transformed(const Similarity<2>& map) const override;
     ShapePointer<2> grown(double by) const override;
 
-   private:
+ private:
     Vec<2> center_;
     double radius_;
 };

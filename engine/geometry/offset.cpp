@@ -32,7 +32,8 @@ struct Corner {
         const double sine = std::sqrt(1 - cosine * cosine);
         const double ahead = (mitre_limit - cosine) / sine * std::abs(by);
         const Vec<2> along_before(-before.y(), before.x()), along_after(-after.y(), after.x());
-        return {point + by * before + ahead * along_before, point + by * after - ahead * along_after};
+        return {point + by * before + ahead * along_before,
+                point + by * after - ahead * along_after};
     }
 };
 
@@ -80,7 +81,8 @@ Ring closedIn(const std::vector<Corner>& corners, double by) {
             const Vec<2>&p = ring[i], &q = ring[(i + 1) % ring.size()];
             const double dp = depth(p), dq = depth(q);
             if (dp >= 0) kept.push_back(p);
-            if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0)) kept.push_back(p + dp / (dp - dq) * (q - p));
+            if ((dp > 0 && dq < 0) || (dp < 0 && dq > 0))
+                kept.push_back(p + dp / (dp - dq) * (q - p));
         }
         ring = std::move(kept);
     }

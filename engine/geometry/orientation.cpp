@@ -12,7 +12,7 @@ namespace {
 
 /// A sum of doubles without rounding, as non-overlapping terms of growing size.
 class ExactSum {
-   public:
+ public:
     void add(double value) {
         for (int i = 0; i < size_; ++i) {
             const double sum = value + term_[i];
@@ -34,7 +34,7 @@ class ExactSum {
         return 0;
     }
 
-   private:
+ private:
     double term_[16];
     int size_ = 0;
 };
@@ -69,7 +69,8 @@ int orientation(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c) {
     const double left = (a.x() - c.x()) * (b.y() - c.y());
     const double right = (a.y() - c.y()) * (b.x() - c.x());
     const double determinant = left - right;
-    // Shewchuk's bound is (3 + 16 u) u with u = 2^-53, that is 3.4e-16; fusing only lowers the error.
+    // Shewchuk's bound is (3 + 16 u) u with u = 2^-53, that is 3.4e-16; fusing only lowers the
+    // error.
     const double bound = 4e-16 * (std::abs(left) + std::abs(right));
     if (determinant > bound) return 1;
     if (determinant < -bound) return -1;

@@ -73,7 +73,8 @@ bool Polygon::contains(const Vec<2>& point) const {
     const Box<2> ray{Vec<2>(-infinity, point.y()), point};
     tree_.forOverlapping(ray, [&](std::size_t e) {
         const Edge& edge = edges_[e];
-        const double low = std::min(edge.a.y(), edge.b.y()), high = std::max(edge.a.y(), edge.b.y());
+        const double low = std::min(edge.a.y(), edge.b.y()),
+                     high = std::max(edge.a.y(), edge.b.y());
         if (point.y() < low || point.y() > high) return;
         const Side side = sideOf(edge.a, edge.b, point);
         on |= side == Side::on;
@@ -95,7 +96,8 @@ void Polygon::rowContains(const Vec<2>& first, double step, std::size_t count,
     const Box<2> row{Vec<2>(-infinity, first.y()), at(count - 1)};
     tree_.forOverlapping(row, [&](std::size_t e) {
         const Edge& edge = edges_[e];
-        const double low = std::min(edge.a.y(), edge.b.y()), high = std::max(edge.a.y(), edge.b.y());
+        const double low = std::min(edge.a.y(), edge.b.y()),
+                     high = std::max(edge.a.y(), edge.b.y());
         if (first.y() < low || first.y() > high) return;
         const std::size_t on = firstWhere(
             count, [&](std::size_t k) { return sideOf(edge.a, edge.b, at(k)) != Side::left; });
@@ -159,9 +161,10 @@ double Polygon::measure() const {
 
 ShapePointer<2> Polygon::transformed(const Similarity<2>& map) const {
     Rings rings = rings_;
+    const bool mirrors = cross(map.linear.col(0), map.linear.col(1)) < 0;
     for (Ring& ring : rings) {
         for (Vec<2>& p : ring) p = map(p);
-        if (map.mirrors()) std::reverse(ring.begin(), ring.end());
+        if (mirrors) std::reverse(ring.begin(), ring.end());
     }
     return std::make_shared<Polygon>(std::move(rings));
 }

@@ -12,7 +12,7 @@ namespace sphinx::geometry {
 /// Any number of polygons with holes, or none. The rings do not cross (but for rounding) and have
 /// the region on their left.
 class Polygon final : public Region {
-   public:
+ public:
     explicit Polygon(Rings rings);
 
     bool contains(const Vec<2>& point) const override;
@@ -28,7 +28,7 @@ class Polygon final : public Region {
     ShapePointer<2> transformed(const Similarity<2>& map) const override;
     ShapePointer<2> grown(double by) const override;
 
-   private:
+ private:
     struct Edge {
         Vec<2> a, b;
         Vec<2> normal;              ///< outwards

@@ -4,10 +4,10 @@
 #include "geometry/shape.h"
 #include "geometry/wkt.h"
 
+#include <fmt/core.h>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
-#include <fmt/core.h>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -56,14 +56,15 @@ Ring readPoints(const std::string& path, const std::string& text) {
     for (int number = 1; std::getline(lines, raw); ++number) {
         const std::string_view line = trimmed(raw);
         if (line.empty() || line.front() == '#') continue;
-        const bool names = first && line.find_first_of("0123456789") != 0 &&
-                           line.find_first_of("+-.") != 0;
+        const bool names =
+            first && line.find_first_of("0123456789") != 0 && line.find_first_of("+-.") != 0;
         first = false;
         if (const std::optional<Vec<2>> p = point(line)) {
             ring.push_back(*p);
         } else if (!names) {
-            throw ShapeError(fmt::format("{}:{}: expected two numbers \"x y\" or \"x,y\" but found '{}'",
-                                         path, number, line));
+            throw ShapeError(
+                fmt::format("{}:{}: expected two numbers \"x y\" or \"x,y\" but found '{}'", path,
+                            number, line));
         }
     }
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();

@@ -30,7 +30,8 @@ void requirePositive(const char* what, double value) {
 }
 
 template <int Dim>
-ShapePointer<Dim> combine(const char* name, Rule rule, const std::vector<ShapePointer<Dim>>& shapes) {
+ShapePointer<Dim> combine(const char* name, Rule rule,
+                          const std::vector<ShapePointer<Dim>>& shapes) {
     if (shapes.empty()) throw ShapeError(fmt::format("{} needs at least one shape", name));
     if (shapes.size() == 1) return shapes.front();
     if constexpr (Dim == 2) {
@@ -62,14 +63,15 @@ ShapePointer<Dim> makeBox(const Vec<Dim>& lower, const Vec<Dim>& upper) {
     requireFinite<Dim>("upper corner", upper);
     for (int i = 0; i < Dim; ++i) {
         if (!(lower[i] < upper[i])) {
-            throw ShapeError(fmt::format("the box has no extent along {}: its upper corner {} must lie "
-                                         "above its lower corner {} in every coordinate",
-                                         "xyz"[i], text<Dim>(upper), text<Dim>(lower)));
+            throw ShapeError(
+                fmt::format("the box has no extent along {}: its upper corner {} must lie "
+                            "above its lower corner {} in every coordinate",
+                            "xyz"[i], text<Dim>(upper), text<Dim>(lower)));
         }
     }
     if constexpr (Dim == 2) {
-        return std::make_shared<Polygon>(Rings{{lower, {upper.x(), lower.y()}, upper,
-                                                {lower.x(), upper.y()}}});
+        return std::make_shared<Polygon>(
+            Rings{{lower, {upper.x(), lower.y()}, upper, {lower.x(), upper.y()}}});
     } else {
         return std::make_shared<BoxSolid>(lower, upper);
     }
@@ -166,17 +168,17 @@ ShapePointer<Dim> makeMirrored(const ShapePointer<Dim>& shape, const Vec<Dim>& p
     return composable(shape).transformed(mirror<Dim>(point, normal));
 }
 
-#define SPHINX_INSTANTIATE(Dim)                                                                    \
-    template class Shape<Dim>;                                                                     \
-    template ShapePointer<Dim> makeBox(const Vec<Dim>&, const Vec<Dim>&);                          \
-    template ShapePointer<Dim> makeBall(const Vec<Dim>&, double);                                  \
-    template ShapePointer<Dim> makeUnion(const std::vector<ShapePointer<Dim>>&);                   \
-    template ShapePointer<Dim> makeDifference(const std::vector<ShapePointer<Dim>>&);              \
-    template ShapePointer<Dim> makeIntersection(const std::vector<ShapePointer<Dim>>&);            \
-    template ShapePointer<Dim> makeOffset(const ShapePointer<Dim>&, double);                       \
-    template ShapePointer<Dim> makeTranslated(const ShapePointer<Dim>&, const Vec<Dim>&);          \
-    template ShapePointer<Dim> makeScaled(const ShapePointer<Dim>&, double, const Vec<Dim>&);      \
-    template ShapePointer<Dim> makeMirrored(const ShapePointer<Dim>&, const Vec<Dim>&,             \
+#define SPHINX_INSTANTIATE(Dim)                                                               \
+    template class Shape<Dim>;                                                                \
+    template ShapePointer<Dim> makeBox(const Vec<Dim>&, const Vec<Dim>&);                     \
+    template ShapePointer<Dim> makeBall(const Vec<Dim>&, double);                             \
+    template ShapePointer<Dim> makeUnion(const std::vector<ShapePointer<Dim>>&);              \
+    template ShapePointer<Dim> makeDifference(const std::vector<ShapePointer<Dim>>&);         \
+    template ShapePointer<Dim> makeIntersection(const std::vector<ShapePointer<Dim>>&);       \
+    template ShapePointer<Dim> makeOffset(const ShapePointer<Dim>&, double);                  \
+    template ShapePointer<Dim> makeTranslated(const ShapePointer<Dim>&, const Vec<Dim>&);     \
+    template ShapePointer<Dim> makeScaled(const ShapePointer<Dim>&, double, const Vec<Dim>&); \
+    template ShapePointer<Dim> makeMirrored(const ShapePointer<Dim>&, const Vec<Dim>&,        \
                                             const Vec<Dim>&);
 SPHINX_INSTANTIATE(2)
 SPHINX_INSTANTIATE(3)

@@ -32,7 +32,7 @@ inline double rowAbscissa(double first, double step, std::size_t k) {
 /// belongs to the difference. In 2D the answer is exact for the polygon as stored in doubles.
 template <int Dim>
 class Shape {
-   public:
+ public:
     virtual ~Shape() = default;
 
     /// True inside and on the boundary; the same as signedDistance(point) <= 0.

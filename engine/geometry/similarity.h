@@ -20,7 +20,6 @@ struct Similarity {
     Vec<Dim> operator()(const Vec<Dim>& p) const { return to + linear * (p - from); }
     /// Orthogonal part: how directions turn.
     Mat<Dim> turn() const { return linear / factor; }
-    bool mirrors() const { return linear.determinant() < 0; }
     /// Axes go to axes: a box stays an axis-aligned box.
     bool keepsAxes() const {
         for (int row = 0; row < Dim; ++row) {

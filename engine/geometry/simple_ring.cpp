@@ -5,9 +5,9 @@
 #include "geometry/rings.h"
 #include "geometry/shape.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/core.h>
 
 namespace sphinx::geometry {
 namespace {
@@ -60,23 +60,24 @@ Meeting meet(const Edge& e, const Edge& f) {
 
 void checkPoints(const Ring& ring, const std::string& name) {
     if (ring.size() < 3) {
-        throw ShapeError(fmt::format("{}a polygon needs at least 3 points, this one has {}", name,
-                                     ring.size()));
+        throw ShapeError(
+            fmt::format("{}a polygon needs at least 3 points, this one has {}", name, ring.size()));
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {
         if (!ring[i].allFinite()) {
-            throw ShapeError(fmt::format("{}point {} is {}; coordinates must be finite numbers", name,
-                                         i + 1, text(ring[i])));
+            throw ShapeError(fmt::format("{}point {} is {}; coordinates must be finite numbers",
+                                         name, i + 1, text(ring[i])));
         }
     }
     if (ring.front() == ring.back()) {
-        throw ShapeError(fmt::format("{}the last point {} repeats the first; a polygon closes by itself",
-                                     name, text(ring.back())));
+        throw ShapeError(
+            fmt::format("{}the last point {} repeats the first; a polygon closes by itself", name,
+                        text(ring.back())));
     }
     for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
         if (ring[i] == ring[i + 1]) {
-            throw ShapeError(fmt::format("{}points {} and {} are equal: {}", name, i + 1, i + 2,
-                                         text(ring[i])));
+            throw ShapeError(
+                fmt::format("{}points {} and {} are equal: {}", name, i + 1, i + 2, text(ring[i])));
         }
     }
     const bool line = std::all_of(ring.begin() + 2, ring.end(), [&](const Vec<2>& p) {
@@ -103,8 +104,9 @@ void checkSimple(const Ring& ring, const std::string& name) {
         });
         if (partner == n) continue;
         const char* how = worst.overlap ? "runs along" : worst.crossing ? "crosses" : "touches";
-        throw ShapeError(fmt::format("{}{} {} {}; edges may meet only where one ends and the next begins",
-                                     name, text(i, edges[i]), how, text(partner, edges[partner])));
+        throw ShapeError(
+            fmt::format("{}{} {} {}; edges may meet only where one ends and the next begins", name,
+                        text(i, edges[i]), how, text(partner, edges[partner])));
     }
 }
 
@@ -124,15 +126,16 @@ void checkHole(const Ring& outer, const Ring& hole, const std::string& name) {
         tree.forOverlapping(hole_edges[i].box(), [&](std::size_t j) {
             const Meeting meeting = meet(hole_edges[i], outer_edges[j]);
             if (!meeting.crossing) return;
-            throw ShapeError(fmt::format("{}{} crosses {} of the outer ring; a hole must lie inside",
-                                         name, text(i, hole_edges[i]), text(j, outer_edges[j])));
+            throw ShapeError(
+                fmt::format("{}{} crosses {} of the outer ring; a hole must lie inside", name,
+                            text(i, hole_edges[i]), text(j, outer_edges[j])));
         });
     }
     const ShapePointer<2> inside = makePolygon(outer);
     for (std::size_t i = 0; i < hole.size(); ++i) {
         if (!inside->contains(hole[i])) {
-            throw ShapeError(fmt::format("{}point {} at {} lies outside the outer ring", name, i + 1,
-                                         text(hole[i])));
+            throw ShapeError(fmt::format("{}point {} at {} lies outside the outer ring", name,
+                                         i + 1, text(hole[i])));
         }
     }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/solids.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

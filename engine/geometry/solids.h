@@ -8,7 +8,7 @@ namespace sphinx::geometry {
 
 /// Primitive solids by their exact signed distance.
 class Solid : public Composable<3> {
-   public:
+ public:
     bool contains(const Vec<3>& point) const final { return signedDistance(point) <= 0; }
     bool empty() const override { return false; }
 };
@@ -16,7 +16,7 @@ class Solid : public Composable<3> {
 /// Box, perhaps turned. The faces are kept as coordinates in a turned frame and not as centre and
 /// half sizes, so that points on them are on them.
 class BoxSolid final : public Solid {
-   public:
+ public:
     BoxSolid(const Vec<3>& lower, const Vec<3>& upper, const Mat<3>& axes = Mat<3>::Identity(),
              const Vec<3>& origin = Vec<3>::Zero())
         : local_{lower, upper}, axes_(axes), origin_(origin) {}
@@ -27,7 +27,7 @@ class BoxSolid final : public Solid {
     ShapePointer<3> transformed(const Similarity<3>& map) const override;
     ShapePointer<3> grown(double by) const override;
 
-   private:
+ private:
     Vec<3> toLocal(const Vec<3>& p) const { return axes_.transpose() * (p - origin_); }
 
     Box<3> local_;
@@ -36,7 +36,7 @@ class BoxSolid final : public Solid {
 };
 
 class Ball final : public Solid {
-   public:
+ public:
     Ball(const Vec<3>& center, double radius) : center_(center), radius_(radius) {}
 
     double signedDistance(const Vec<3>& point) const override;
@@ -45,13 +45,13 @@ class Ball final : public Solid {
     ShapePointer<3> transformed(const Similarity<3>& map) const override;
     ShapePointer<3> grown(double by) const override;
 
-   private:
+ private:
     Vec<3> center_;
     double radius_;
 };
 
 class Cylinder final : public Solid {
-   public:
+ public:
     Cylinder(const Vec<3>& from, const Vec<3>& to, double radius)
         : from_(from), to_(to), axis_((to - from) / (to - from).norm()), radius_(radius) {}
 
@@ -61,7 +61,7 @@ class Cylinder final : public Solid {
     ShapePointer<3> transformed(const Similarity<3>& map) const override;
     ShapePointer<3> grown(double by) const override;
 
-   private:
+ private:
     /// A point seen from the axis, and how far it lies beyond the shell and beyond the nearer end.
     struct Place {
         Vec<3> radial;  ///< unit vector away from the axis

@@ -5,10 +5,10 @@
 #include "geometry/overlay.h"
 #include "geometry/shape.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <fmt/core.h>
 #include <system_error>
 
 namespace sphinx::geometry {
@@ -19,8 +19,8 @@ bool letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// Reads the text from left to right; errors carry file and line.
 class Scanner {
-   public:
-    Scanner(const std::string& path, std::string_view text) : path_(path), text_(text) {}
+ public:
+    Scanner(std::string_view path, std::string_view text) : path_(path), text_(text) {}
 
     [[noreturn]] void fail(const std::string& message) const {
         const std::string_view read = text_.substr(0, at_);
@@ -61,7 +61,7 @@ class Scanner {
         return value;
     }
 
-   private:
+ private:
     /// What comes next, for messages.
     std::string next() {
         if (atEnd()) return "the end of the file";
@@ -72,7 +72,7 @@ class Scanner {
         return fmt::format("'{}'", text_.substr(at_, end - at_));
     }
 
-    const std::string& path_;
+    std::string_view path_;
     std::string_view text_;
     std::size_t at_ = 0;
 };
