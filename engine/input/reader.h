@@ -10,7 +10,7 @@
 namespace sphinx::input {
 
 /// What a reference may point at.
-enum class Target { body, part, material, shape, method, layer, field };
+enum class Target { body, part, material, shape, method, action, layer, field };
 
 /// A name that was read, to be checked once everything that could be named is known.
 struct Reference {
@@ -32,7 +32,9 @@ class Reader {
     UnitSystem units;
     Scope scope;
     std::vector<Reference> references;
-    std::string label;  ///< key of the value being read, for messages
+    std::string label;                 ///< key of the value being read, for messages
+    std::vector<std::string> methods;  ///< names in `dynamics`, known before the block is read
+    bool hasMethod(std::string_view name) const;
 
     /// Reports and returns false.
     bool error(const Node& node, std::string message);
@@ -56,6 +58,13 @@ bool readParameters(const Node& node, const Place& place, Reader& reader,
 /// The resolved map of one part appended to `out`.
 void writeParameters(const Declaration& declaration, const void* parameters, const Node* source,
                      Node& out);
+
+/// The resolved map, or the bare value, as a node of its own.
+Node writeStructure(const Declaration& declaration, const void* parameters, const Node* source);
+
+/// Reports unless the text can name something of a case: a word that no YAML program takes for
+/// something else.
+bool checkNewName(const std::string& name, const Place& place, Diagnostics& diagnostics);
 
 /// Sets reader.label for its own life.
 class Label {

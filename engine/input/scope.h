@@ -48,6 +48,10 @@ class Scope {
     };
     struct Evaluation;
 
+    std::optional<double> resolve(const std::string& name, const Place& user,
+                                  const UnitSystem& units, Diagnostics& diagnostics,
+                                  bool counts_as_use = true);
+
     std::map<std::string, Variable, std::less<>> variables_;
     std::vector<std::string> stack_;  // variables being evaluated, for the message of a cycle
 };

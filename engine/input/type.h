@@ -129,8 +129,11 @@ Type<Name> partReference(std::vector<std::string> traits = {});
 Type<Name> materialReference(std::vector<std::string> traits = {});
 Type<Name> shapeReference();
 Type<Name> methodReference();
+Type<Name> actionReference();  ///< METHOD or METHOD.ACTION
 Type<Name> layerReference();
 Type<Name> fieldReference();  ///< a name of particles/fields.h
+/// A name that the author chooses here; see checkNewName().
+Type<Name> newName();
 
 /// A point or vector of the case's dimension.
 Type<Coordinates> coordinates(Dimension unit);
@@ -138,10 +141,15 @@ Type<Coordinates> coordinates(Dimension unit);
 Type<FieldExpression> fieldExpression(Dimension unit);
 /// One per dimension.
 Type<std::vector<FieldExpression>> fieldVector(Dimension unit);
-/// Rows of numbers, [[1, 2], [3, 4]] or {file: NAME}. `columns` 0: one per dimension.
-Type<Table> table(Dimension unit, int columns = 0);
-/// {time: T} | {steps: N, layer: NAME} | {wall_time: 30 min}
-Type<Every> every();
+/// Rows of one number per dimension, [[1, 2], [3, 4]] or {file: NAME}.
+Type<Table> table(Dimension unit);
+/// The same with one more number of another unit at the end of each row.
+Type<Table> table(Dimension unit, Dimension last);
+/// The same where the format of the file is the business of whoever uses it: rows stay empty.
+Type<Table> tableOrFile(Dimension unit);
+/// Seconds on the clock on the wall, whatever the units of the case: a number or a quantity of
+/// time.
+Type<double> wallSeconds();
 
 /// A map with the keys of that declaration, read into its parameter struct.
 template <class P>
@@ -151,6 +159,9 @@ template <class T>
 Type<std::vector<T>> list(Type<T> element);
 template <class T>
 Type<std::optional<T>> optional(Type<T> type);
+/// The word, which stands for no value, or a value that is not a scalar.
+template <class T>
+Type<std::optional<T>> wordOr(std::string word, Type<T> type);
 /// A map whose keys are references, in the order written.
 template <class T>
 Type<std::vector<std::pair<Name, T>>> mapOf(Type<Name> key, Type<T> value);

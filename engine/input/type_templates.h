@@ -29,7 +29,19 @@ struct OptionalAccess {
     const void* (*get)(const void* optional);  ///< null when empty
 };
 TypePointer makeOptional(TypePointer type, OptionalAccess access);
+TypePointer makeWordOr(std::string word, TypePointer type, OptionalAccess access);
 TypePointer makeStructure(const Declaration& declaration);
+
+template <class T>
+OptionalAccess optionalAccess() {
+    using Optional = std::optional<T>;
+    return {[](void* o) -> void* { return &static_cast<Optional*>(o)->emplace(); },
+            [](void* o) { static_cast<Optional*>(o)->reset(); },
+            [](const void* o) -> const void* {
+                const auto& value = *static_cast<const Optional*>(o);
+                return value ? &*value : nullptr;
+            }};
+}
 
 template <class T>
 Sequence sequenceOf() {
@@ -56,14 +68,13 @@ Type<std::vector<T>> list(Type<T> element) {
 
 template <class T>
 Type<std::optional<T>> optional(Type<T> type) {
-    using Optional = std::optional<T>;
-    return Type<Optional>(detail::makeOptional(
-        type.base(), {[](void* o) -> void* { return &static_cast<Optional*>(o)->emplace(); },
-                      [](void* o) { static_cast<Optional*>(o)->reset(); },
-                      [](const void* o) -> const void* {
-                          const auto& value = *static_cast<const Optional*>(o);
-                          return value ? &*value : nullptr;
-                      }}));
+    return Type<std::optional<T>>(detail::makeOptional(type.base(), detail::optionalAccess<T>()));
+}
+
+template <class T>
+Type<std::optional<T>> wordOr(std::string word, Type<T> type) {
+    return Type<std::optional<T>>(
+        detail::makeWordOr(std::move(word), type.base(), detail::optionalAccess<T>()));
 }
 
 template <class T>

@@ -35,8 +35,8 @@ struct Coordinates {
     bool operator==(const Coordinates&) const = default;
 };
 
-/// Numbers in rows, given inline or read from a text file (one row a line; blanks, tabs or commas
-/// between numbers; # starts a comment).
+/// Numbers in rows, given inline or read from a text file (one row a line in case units; blanks,
+/// tabs, commas or semicolons between numbers; # starts a comment).
 struct Table {
     std::vector<std::vector<double>> rows;
     std::string file;  ///< absolute path; empty when given inline

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sphinx::input {
+
+/// Edit distance with insertion, deletion, replacement and exchange of neighbors.
+std::size_t editDistance(std::string_view a, std::string_view b);
+
+/// End of a message about a wrong name: "; did you mean 'wall'?" when one is near (distance at most
+/// 1 + length/5), else "; known: gate, wall, water"; empty when there is nothing to choose from.
+std::string didYouMean(std::string_view wrong, const std::vector<std::string>& known);
+
+/// "a, b or c"
+std::string alternatives(const std::vector<std::string>& words);
+/// "a, b, c"
+std::string joined(const std::vector<std::string>& words);
+
+}  // namespace sphinx::input

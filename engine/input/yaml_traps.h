@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input/diagnostics.h"
+#include "input/node.h"
+#include "input/yaml.h"
+
+namespace sphinx::input {
+
+/// Refuses what is no text for a person: bytes that are not UTF-8, control characters, tabs as
+/// indentation, enormous files and lines. One report at most.
+bool checkText(const std::shared_ptr<const Source>& source, std::string_view text, Offset offset,
+               Diagnostics& diagnostics);
+
+/// What a syntax error of yaml-cpp at that byte means to the author of a case.
+std::string explainSyntaxError(std::string_view text, std::size_t position,
+                               const std::string& message);
+
+/// Reports in a finished [...] or {...}: expressions cut by a comma, "time:0.1" without a blank.
+void findSplitExpressions(const Node& node, Diagnostics& diagnostics);
+
+/// yaml-cpp accepts a quote that the end of the file closes. `position` is the opening quote.
+bool quoteIsClosed(std::string_view text, std::size_t position);
+
+}  // namespace sphinx::input
