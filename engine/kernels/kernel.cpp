@@ -28,13 +28,38 @@ double Kernel<Dim>::derivative(double r) const {
 }
 
 template <int Dim>
-double Kernel<Dim>::latticeSum(double spacing) const {
-    const int n = static_cast<int>(std::ceil(cutoff() / spacing));
+Kernel<Dim>::Kernel(KernelType type, double h, double spacing)
+    : type_(type), h_(h), spacing_(spacing) {
+    // Sum of V r abs(W')/Dim over the densest lattice with the volume spacing^Dim per point: for an
+    // isotropic arrangement that is each diagonal entry of the moment.
+    const int n = static_cast<int>(std::ceil(2 * cutoff() / spacing)) + 1;
+    double moment = 0;
+    for (int k = Dim == 3 ? -n : 0; k <= (Dim == 3 ? n : 0); ++k)
+        for (int j = -n; j <= n; ++j)
+            for (int i = -n; i <= n; ++i) {
+                Vec<3> r;  // of the hexagonal or face-centred cubic lattice, unit edges
+                double edge = 0;
+                if constexpr (Dim == 2) {
+                    r = {i + 0.5 * j, 0.5 * std::sqrt(3.0) * j, 0};
+                    edge = std::sqrt(2 / std::sqrt(3.0));
+                } else {
+                    r = Vec<3>{i + j + 0.0, j + k + 0.0, i + k + 0.0} / std::sqrt(2.0);
+                    edge = std::pow(2.0, 1.0 / 6.0);
+                }
+                const double distance = edge * spacing * r.norm();
+                moment -= std::pow(spacing, Dim) * distance * derivative(distance) / Dim;
+            }
+    gradient_factor_ = 1 / moment;
+}
+
+template <int Dim>
+double Kernel<Dim>::latticeSum() const {
+    const int n = static_cast<int>(std::ceil(cutoff() / spacing_));
     double sum = 0;
     for (int k = Dim == 3 ? -n : 0; k <= (Dim == 3 ? n : 0); ++k)
         for (int j = -n; j <= n; ++j)
             for (int i = -n; i <= n; ++i)
-                sum += value(spacing * std::sqrt(static_cast<double>(i * i + j * j + k * k)));
+                sum += value(spacing_ * std::sqrt(static_cast<double>(i * i + j * j + k * k)));
     return sum;
 }
 

@@ -141,9 +141,10 @@ std::size_t findNear(const Vec<Dim>& xi, Index self, double cutoff2,
 
 /// Writes the blocks of one particle and returns the sum of W.
 template <class K, int Dim, class Real>
-double fillBlocks(const Found<Dim>& found, std::size_t n, double h, PairBlock<Dim, Real>* block,
-                  float* distance) {
-    const double factor = K::sigma / std::pow(h, Dim + 1);
+double fillBlocks(const Found<Dim>& found, std::size_t n, double h, double gradient_factor,
+                  PairBlock<Dim, Real>* block, float* distance) {
+    const double sigma = K::sigma / std::pow(h, Dim);
+    const double factor = gradient_factor * sigma / h;
     const double inverse_h = 1 / h;
     double sum = 0;
     const std::size_t blocks = (n + lane_count - 1) / lane_count;
@@ -164,12 +165,14 @@ double fillBlocks(const Found<Dim>& found, std::size_t n, double h, PairBlock<Di
         }
         for (double value : w) sum += value;
     }
-    return sum * factor * h;
+    return sum * sigma;
 }
 
 template <class K, int Dim, class Real>
-void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same, double h,
-           const Domain<Dim>& domain, NeighborList<Dim, Real>& list) {
+void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
+           const Kernel<Dim>& kernel, const Domain<Dim>& domain,
+           NeighborList<Dim, Real>& list) {
+    const double h = kernel.smoothingLength();
     const double cutoff = K::reach * h;
     const double cutoff2 = cutoff * cutoff;
     const Images<Dim> images(domain);
@@ -233,7 +236,7 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same, double
                     list.ranges[i] = {next, static_cast<std::uint32_t>(blocks),
                                       static_cast<std::uint32_t>(count)};
                     const double sum = fillBlocks<K, Dim, Real>(
-                        found, count, h, list.blocks.data() + next,
+                        found, count, h, kernel.gradientFactor(), list.blocks.data() + next,
                         list.keep_distance ? list.distance.data() + next * lane_count : nullptr);
                     if (list.keep_kernel_sum) list.kernel_sum[i] = sum;
                     next += blocks;
@@ -256,7 +259,7 @@ void buildList(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
                const Kernel<Dim>& kernel, const Domain<Dim>& domain,
                NeighborList<Dim, Real>& list) {
     withKernel<Dim>(kernel.type(), [&]<class K>() {
-        build<K>(from, to, same, kernel.smoothingLength(), domain, list);
+        build<K>(from, to, same, kernel, domain, list);
     });
 }
 

@@ -15,7 +15,7 @@ DensitySummation<Dim>::DensitySummation(Context<Dim>& context, Body<Dim>& body, 
       surface_(surface),
       rho0_(body.material->density()),
       own_(body.kernel.value(0)),
-      lattice_sum_(body.kernel.latticeSum(body.spacing)),
+      lattice_sum_(body.kernel.latticeSum()),
       density_(body.particles.scalar(fields::density)) {
     if (surface == Surface::confined)
         reference_ = &body.particles.scalar(fields::reference_density);
