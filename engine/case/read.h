@@ -19,4 +19,8 @@ void registerCaseLanguage(input::Registry& registry);
 Case readCase(const std::string& path, const std::vector<std::string>& overrides,
               const input::Registry& registry);
 
+/// The same for a text in memory, shown as `name` in messages.
+Case readCaseText(const std::string& name, const std::string& text,
+                  const input::Registry& registry);
+
 }  // namespace sphinx::model

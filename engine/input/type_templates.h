@@ -66,6 +66,9 @@ Type<std::vector<T>> list(Type<T> element) {
     return Type<std::vector<T>>(detail::makeList(element.base(), detail::sequenceOf<T>()));
 }
 
+inline Type<std::vector<double>> list(const Number& element) { return list(Type<double>(element)); }
+inline Type<std::vector<int>> list(const Integer& element) { return list(Type<int>(element)); }
+
 template <class T>
 Type<std::optional<T>> optional(Type<T> type) {
     return Type<std::optional<T>>(detail::makeOptional(type.base(), detail::optionalAccess<T>()));

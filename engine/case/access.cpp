@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/access.h"
+
+#include "case/phases.h"
+
+#include <algorithm>
+
+namespace sphinx::model {
+namespace {
+
+using Words = std::vector<std::string>;
+
+AccessMode modeOf(input::AccessMode mode) {
+    switch (mode) {
+        case input::AccessMode::read: return AccessMode::read;
+        case input::AccessMode::write: return AccessMode::write;
+        case input::AccessMode::accumulate: break;
+    }
+    return AccessMode::accumulate;
+}
+
+/// Bodies that a parameter refers to; a part stands for its body.
+Words bodiesOf(const Case& model, const Component& method, const input::Parameter& parameter) {
+    std::vector<Name> names;
+    parameter.type->names(parameter.in(method.parameters.get()), names);
+    Words bodies;
+    for (const Name& name : names) {
+        const std::string body = splitAction(name.text).first;
+        if (model.findBody(body)) bodies.push_back(body);
+    }
+    return bodies;
+}
+
+Words ownerBodies(const Case& model, const Component& method, const std::string& owner) {
+    if (const input::Parameter* parameter = method.declaration->parameter(owner))
+        return bodiesOf(model, method, *parameter);
+    const std::string trait = splitAction(owner).second;
+    assert(splitAction(owner).first == "neighbors" && "owner of an access is no parameter");
+    Words seen;
+    for (const input::Parameter& parameter : method.declaration->parameters()) {
+        const Words bodies = bodiesOf(model, method, parameter);
+        for (const std::string& body : bodies)
+            for (const Contact& contact : model.seenBy(body)) {
+                const Body& other = *model.findBody(contact.body.text);
+                const Words traits =
+                    bodyTraits(other.kind, model.findMaterial(other.material.text));
+                const bool wanted =
+                    trait.empty() || std::find(traits.begin(), traits.end(), trait) != traits.end();
+                if (wanted && std::find(seen.begin(), seen.end(), other.name) == seen.end())
+                    seen.push_back(other.name);
+            }
+        if (!bodies.empty()) break;
+    }
+    return seen;
+}
+
+}  // namespace
+
+std::vector<FieldAccess> resolveAccesses(const Case& model, const Component& method, int action) {
+    std::vector<FieldAccess> resolved;
+    for (const input::Access& access : method.declaration->actions()[action].accesses())
+        for (const std::string& body : ownerBodies(model, method, access.owner))
+            resolved.push_back({modeOf(access.mode), body, access.field});
+    return resolved;
+}
+
+}  // namespace sphinx::model

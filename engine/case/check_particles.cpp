@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/check_particles.h"
+
+#include "neighbors/list_builder.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace sphinx::model {
+namespace {
+
+template <int Dim>
+std::string placeText(const Vec<Dim>& p) {
+    return Dim == 2 ? fmt::format("({:g}, {:g})", p[0], p[1])
+                    : fmt::format("({:g}, {:g}, {:g})", p[0], p[1], p[Dim - 1]);
+}
+
+template <int Dim>
+void checkDomain(const Body& source, const sphinx::Body<Dim>& body,
+                 const sphinx::Domain<Dim>& domain, input::Diagnostics& diagnostics) {
+    if (body.kind != BodyKind::fluid) return;
+    const auto& position = body.particles.position();
+    std::size_t outside = 0;
+    std::size_t first = 0;
+    for (std::size_t i = body.size(); i-- > 0;)
+        if (!domain.bounds.contains(position[i])) {
+            ++outside;
+            first = i;
+        }
+    if (outside > 0)
+        diagnostics.error(
+            source.place,
+            fmt::format("{} of {} particles of {} start outside of the domain, the "
+                        "first at {}; enlarge the domain or cut the shape",
+                        outside, body.size(), body.name, placeText<Dim>(position[first])));
+}
+
+/// Particles of two bodies nearer than half a spacing: lattices side by side keep a whole spacing.
+template <int Dim>
+void checkOverlap(const Body& source, const sphinx::Body<Dim>& a, const sphinx::Body<Dim>& b,
+                  const sphinx::Domain<Dim>& domain, input::Diagnostics& diagnostics) {
+    const double limit = 0.5 * std::max(a.spacing, b.spacing) * (1 - 1e-6);
+    CellGrid<Dim> grid_a;
+    CellGrid<Dim> grid_b;
+    grid_a.build(a.particles.position().data(), a.size(), std::max(a.spacing, b.spacing));
+    grid_b.build(b.particles.position().data(), b.size(), std::max(a.spacing, b.spacing));
+    NeighborList<Dim> list;
+    const Kernel<Dim> kernel(KernelType::wendland_c2, limit / WendlandC2<Dim>::reach, limit);
+    buildList(grid_a, grid_b, false, kernel, domain, list);
+    std::size_t close = 0;
+    std::size_t first = 0;
+    for (std::size_t i = a.size(); i-- > 0;)
+        if (list.ranges[i].count > 0) {
+            ++close;
+            first = i;
+        }
+    if (close > 0)
+        diagnostics.error(
+            source.place,
+            fmt::format("{} overlaps {}: {} of its particles lie nearer than half a spacing to one "
+                        "of {}, the first at {}; subtract one shape from the other",
+                        a.name, b.name, close, b.name,
+                        placeText<Dim>(a.particles.position()[first])));
+}
+
+}  // namespace
+
+template <int Dim>
+void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+    for (const Body& source : model.bodies) {
+        const sphinx::Body<Dim>& body = *world.find(source.name);
+        if (body.size() == 0) {
+            diagnostics.error(
+                source.place,
+                fmt::format("{} has no particles: its shape holds no point of the lattice of "
+                            "spacing {:g}",
+                            body.name, body.spacing));
+            continue;
+        }
+        checkDomain<Dim>(source, body, world.domain, diagnostics);
+    }
+    for (std::size_t m = 0; m < world.bodies.size(); ++m)
+        for (std::size_t k = m + 1; k < world.bodies.size(); ++k) {
+            const auto& a = *world.bodies[m];
+            const auto& b = *world.bodies[k];
+            if (a.kind == BodyKind::observer || b.kind == BodyKind::observer) continue;
+            if (a.size() == 0 || b.size() == 0) continue;
+            checkOverlap<Dim>(*model.findBody(a.name), a, b, world.domain, diagnostics);
+        }
+}
+
+template void checkParticles(const Case&, const World<2>&, input::Diagnostics&);
+template void checkParticles(const Case&, const World<3>&, input::Diagnostics&);
+
+}  // namespace sphinx::model

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/initial_values.h"
+
+#include "core/parallel.h"
+#include "materials/fluid.h"
+
+namespace sphinx::model {
+
+template <int Dim>
+void setInitialValues(const Body& source, const std::vector<double>& volumes, double time,
+                      sphinx::Body<Dim>& body) {
+    ParticleSet<Dim>& particles = body.particles;
+    const auto& position = particles.position();
+    auto& velocity = particles.vector(fields::velocity);
+    auto& density = particles.scalar(fields::density);
+    auto& mass = particles.scalar(fields::mass);
+    auto& volume = particles.scalar(fields::volume);
+    const std::size_t n = body.size();
+
+    if (source.initial.velocity) {
+        const auto& v = *source.initial.velocity;
+        parallelFor(n, [&](std::size_t i) {
+            for (int c = 0; c < Dim; ++c)
+                velocity[i][c] =
+                    v[static_cast<std::size_t>(c)].template operator()<Dim>(position[i], time);
+        });
+    }
+    const double rho0 = body.material->density();
+    for (std::size_t i = 0; i < n; ++i) {
+        density[i] = rho0;
+        volume[i] = volumes[i];
+    }
+    if (const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(body.material.get())) {
+        auto& pressure = particles.scalar(fields::pressure);
+        auto& reference = particles.scalar(fields::reference_density);
+        particles.scalar(fields::density_rate);
+        if (source.initial.pressure)
+            parallelFor(n, [&](std::size_t i) {
+                pressure[i] = source.initial.pressure->template operator()<Dim>(position[i], time);
+                density[i] = fluid->densityAt(pressure[i]);
+            });
+        for (std::size_t i = 0; i < n; ++i) reference[i] = density[i];
+    }
+    for (std::size_t i = 0; i < n; ++i) mass[i] = density[i] * volume[i];
+}
+
+std::vector<std::string> initialFields(BodyKind kind) {
+    switch (kind) {
+        case BodyKind::fluid:
+            return {"velocity", "density", "density_rate", "reference_density",
+                    "mass",     "volume",  "pressure"};
+        case BodyKind::solid: return {"velocity", "acceleration", "density", "mass", "volume"};
+        case BodyKind::observer: break;
+    }
+    return {};
+}
+
+template void setInitialValues(const Body&, const std::vector<double>&, double, sphinx::Body<2>&);
+template void setInitialValues(const Body&, const std::vector<double>&, double, sphinx::Body<3>&);
+
+}  // namespace sphinx::model

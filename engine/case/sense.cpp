@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/phases.h"
+
+#include <algorithm>
+#include <set>
+
+namespace sphinx::model {
+namespace {
+
+using namespace input;
+
+class SenseCheck {
+ public:
+    SenseCheck(const CaseBlock& block, Diagnostics& diagnostics)
+        : block_(block), diagnostics_(diagnostics) {}
+
+    void run() {
+        if (block_.bodies.empty())
+            diagnostics_.error(block_.loop.layer.place, "the case has no bodies");
+        for (const NamedBody& body : block_.bodies) {
+            if (body.block.kind == BodyKind::observer)
+                checkObserver(body);
+            else
+                checkMaterialBody(body);
+            checkParts(body);
+        }
+        for (const int axis : block_.domain.periodic) checkPeriodic(axis);
+        checkTopology();
+        checkLayer(block_.loop);
+        checkSteps(block_.loop.start, "start");
+        for (const StepBlock& step : block_.loop.start)
+            if (step.every)
+                diagnostics_.error(step.run.place, "start happens once: 'every' has no meaning");
+    }
+
+ private:
+    static const Place* given(const NamedBody& body, std::string_view key) {
+        for (const auto& [name, place] : body.given)
+            if (name == key) return &place;
+        return nullptr;
+    }
+    void refuse(const NamedBody& body, std::initializer_list<const char*> keys,
+                const std::string& why) {
+        for (const char* key : keys)
+            if (const Place* place = given(body, key))
+                diagnostics_.error(*place, std::string("'") + key + "' is for " + why);
+    }
+
+    void checkObserver(const NamedBody& body) {
+        refuse(body, {"shape", "material", "particles", "resolution", "initial", "parts"},
+               "fluids and solids; an observer has points, line or area");
+        const BodyBlock& b = body.block;
+        if (b.points.has_value() + b.line.has_value() + b.area.has_value() != 1)
+            diagnostics_.error(body.place, "the observer '" + body.name +
+                                               "' needs exactly one of points, line and area");
+        if (b.points && b.points->rows.empty())
+            diagnostics_.error(*given(body, "points"), "points is empty");
+        if (b.area) checkArea(body, *b.area);
+    }
+
+    void checkArea(const NamedBody& body, const AreaBlock& area) {
+        const std::size_t edges = block_.dimension == 2 ? 1 : 2;
+        if (area.edges.rows.size() != edges || area.points.size() != edges)
+            diagnostics_.error(*given(body, "area"),
+                               "an area in " + std::to_string(block_.dimension) + "D has " +
+                                   std::to_string(edges) + (edges == 1 ? " edge" : " edges") +
+                                   " and as many numbers of points");
+    }
+
+    void checkMaterialBody(const NamedBody& body) {
+        refuse(body, {"points", "line", "area", "follows"}, "observers");
+        const BodyBlock& b = body.block;
+        const bool fluid = b.kind == BodyKind::fluid;
+        if (b.material.empty())
+            diagnostics_.error(body.place, body.name + " lacks 'material': a " +
+                                               (fluid ? "fluid" : "solid") + " needs one");
+        if (b.shape.empty() && !b.particles)
+            diagnostics_.error(body.place, body.name + " lacks 'shape' (or 'particles')");
+        if (b.particles && b.particles->rows.empty())
+            diagnostics_.error(*given(body, "particles"), "particles is empty");
+        if (b.initial && b.initial->pressure && !fluid)
+            diagnostics_.error(*given(body, "initial"), "only a fluid has an initial pressure");
+        for (const Component& material : block_.materials) {
+            if (material.name != b.material.text) continue;
+            if (fluid != material.declaration->hasTrait("fluid"))
+                diagnostics_.error(b.material.place, "material is '" + material.name + "', a " +
+                                                         material.declaration->name() + ", but '" +
+                                                         body.name + "' is a " +
+                                                         (fluid ? "fluid" : "solid"));
+        }
+    }
+
+    void checkParts(const NamedBody& body) {
+        if (body.block.shape.empty()) return;
+        for (const auto& [part, shape] : body.block.parts)
+            if (shape.text == body.block.shape.text)
+                diagnostics_.error(shape.place, "the part '" + part.text +
+                                                    "' is the whole body; name the body instead");
+    }
+
+    void checkPeriodic(int axis) {
+        const Place& place = block_.domain.place;
+        if (axis >= block_.dimension)
+            diagnostics_.error(place, "periodic names z, but the case is 2D");
+        else if (!block_.domain.lower || !block_.domain.upper)
+            diagnostics_.error(place,
+                               "a periodic domain needs 'lower' and 'upper': they are the period");
+    }
+
+    void checkTopology() {
+        for (const auto& [body, contacts] : block_.topology) {
+            std::set<std::string> seen;
+            for (const ContactBlock& contact : contacts) {
+                const bool self = contact.body.text == "self";
+                if (contact.body.text == body.text)
+                    diagnostics_.error(contact.body.place, "a body sees itself by the word self");
+                if (self && kindOf(body.text) == BodyKind::observer)
+                    diagnostics_.error(contact.body.place,
+                                       "an observer has nothing to see of itself");
+                if (!seen.insert(contact.body.text).second)
+                    diagnostics_.error(
+                        contact.body.place,
+                        "'" + contact.body.text + "' is listed twice for " + body.text);
+            }
+        }
+    }
+    BodyKind kindOf(const std::string& name) const {
+        for (const NamedBody& body : block_.bodies)
+            if (body.name == name) return body.block.kind;
+        return BodyKind::fluid;
+    }
+
+    void checkLayer(const LayerBlock& layer) {
+        if (!layers_.insert(layer.layer.text).second)
+            diagnostics_.error(layer.layer.place,
+                               "there are two layers '" + layer.layer.text + "'");
+        if (layer.steps.empty())
+            diagnostics_.error(layer.layer.place,
+                               "the layer '" + layer.layer.text + "' has no steps");
+        checkSteps(layer.steps, "");
+        for (const StepBlock& step : layer.steps)
+            if (step.layer) checkLayer(*step.layer);
+    }
+    void checkSteps(const std::vector<StepBlock>& steps, const std::string& where) {
+        for (const StepBlock& step : steps) {
+            if (step.layer && !where.empty())
+                diagnostics_.error(step.layer->layer.place, "start has no layers");
+            if (step.every && step.every->by == Every::By::wall_time)
+                diagnostics_.error(step.run.place,
+                                   "wall_time is for outputs: the physics cannot depend on the "
+                                   "speed of the machine");
+        }
+    }
+
+    const CaseBlock& block_;
+    Diagnostics& diagnostics_;
+    std::set<std::string> layers_;
+};
+
+}  // namespace
+
+void checkSense(const CaseBlock& block, Diagnostics& diagnostics) {
+    SenseCheck(block, diagnostics).run();
+}
+
+}  // namespace sphinx::model
