@@ -1,3 +1,150 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-int main() { return 0; }
+#include "case/check.h"
+#include "case/provenance.h"
+#include "case/read.h"
+#include "case/register.h"
+#include "case/show.h"
+#include "case/simulation.h"
+#include "core/errors.h"
+#include "input/describe.h"
+#include "input/schema.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+namespace {
+
+using namespace sphinx;
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void printError(const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); }
+
+/// What the command line says; each verb uses its part.
+struct CommandLine {
+    std::string case_file;
+    std::vector<std::string> overrides;
+    std::string name;
+    bool markdown = false;
+    model::RunOptions run;
+    std::string time_limit;
+};
+
+void show(const CommandLine& line, const input::Registry& registry) {
+    const model::Case model = model::readCase(line.case_file, line.overrides, registry);
+    std::fputs(model.warnings.c_str(), stderr);
+    print(model::showCase(model));
+}
+
+void check(const CommandLine& line, const input::Registry& registry) {
+    print(model::checkCase(model::readCase(line.case_file, line.overrides, registry)));
+}
+
+/// "3h", "90min", "45s" or plain seconds; throws CaseError.
+double readDuration(const std::string& text) {
+    std::size_t used = 0;
+    double value = -1;
+    try {
+        value = std::stod(text, &used);
+    } catch (const std::exception&) {
+        used = 0;
+    }
+    const std::string unit = text.substr(used);
+    const double factor = unit.empty() || unit == "s" ? 1 : unit == "min" ? 60 : unit == "h" ? 3600 : 0;
+    if (used == 0 || factor == 0 || !(value > 0))
+        throw CaseError("error: --time-limit is '" + text + "' but must be a time like 3h, 90min or 45s");
+    return value * factor;
+}
+
+int runVerb(CommandLine& line, const input::Registry& registry) {
+    if (!line.time_limit.empty()) line.run.time_limit = readDuration(line.time_limit);
+    return model::runCase(model::readCase(line.case_file, line.overrides, registry), line.run);
+}
+
+void addCase(CLI::App& verb, CommandLine& line) {
+    verb.add_option("case", line.case_file, "the case, a YAML file")
+        ->required()
+        ->check(CLI::ExistingFile);
+    verb.add_option("--set", line.overrides, "override a value: path=YAML, such as loop.end_time=1")
+        ->take_all()
+        ->expected(1)
+        ->type_name("PATH=VALUE");
+}
+
+int run(int argc, char** argv) {
+    input::Registry registry;
+    registerAll(registry);
+    CommandLine line;
+    CLI::App app("sphinx: smoothed particle hydrodynamics from a YAML case");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "sphinx " + programVersion() + " (" + programCommit() + ")");
+    int code = exit_done;
+
+    auto* run_verb = app.add_subcommand("run", "run a case");
+    addCase(*run_verb, line);
+    run_verb->add_option("--output,-o", line.run.output, "results folder, else output/NAME");
+    run_verb->add_option("--threads,-j", line.run.threads, "threads, else all of the machine")
+        ->check(CLI::Range(1, 4096));
+    auto* resume = run_verb->add_flag("--resume", line.run.resume,
+                                      "go on from the newest restart in the results folder");
+    auto* restart = run_verb->add_option("--restart", line.run.restart,
+                                         "start from the state in this restart file");
+    auto* overwrite = run_verb->add_flag("--overwrite", line.run.overwrite,
+                                         "remove the results that the folder holds");
+    resume->excludes(restart)->excludes(overwrite);
+    run_verb->add_option("--time-limit", line.time_limit,
+                         "write a restart and end after this wall time, such as 3h");
+    run_verb->add_flag("!--no-outputs", line.run.outputs, "write no files, for timing");
+    run_verb->callback([&] { code = runVerb(line, registry); });
+
+    auto* check_verb = app.add_subcommand("check", "everything but stepping");
+    addCase(*check_verb, line);
+    check_verb->callback([&] { check(line, registry); });
+
+    auto* show_verb =
+        app.add_subcommand("show", "print the resolved case with the origin of values");
+    addCase(*show_verb, line);
+    show_verb->callback([&] { show(line, registry); });
+
+    auto* list_verb = app.add_subcommand("list", "print the names that a case can use");
+    list_verb->add_option("kind", line.name, "block, shape, kernel, material, dynamics or output");
+    list_verb->callback([&] { print(input::listText(registry, line.name)); });
+
+    auto* describe_verb = app.add_subcommand("describe", "explain a name or a block of a case");
+    describe_verb->add_option("name", line.name, "such as fluid.pressure_relaxation or loop")
+        ->required();
+    describe_verb->callback([&] { print(input::describeText(registry, line.name)); });
+
+    auto* schema_verb = app.add_subcommand("schema", "print the JSON Schema of a case for editors");
+    schema_verb->add_flag("--markdown", line.markdown, "the reference page instead");
+    schema_verb->callback([&] {
+        print(line.markdown
+                  ? input::referencePage(registry)
+                  : input::jsonSchema(registry, *registry.find(input::Kind::block, "case")));
+    });
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? exit_done : exit_case_wrong;
+    }
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const sphinx::CaseError& e) {
+        printError(e.what());
+        return sphinx::exit_case_wrong;
+    } catch (const sphinx::PhysicsError& e) {
+        printError(std::string("error: ") + e.what());
+        return sphinx::exit_physics_failed;
+    } catch (const sphinx::FileError& e) {
+        printError(std::string("error: ") + e.what());
+        return sphinx::exit_files_failed;
+    }
+}

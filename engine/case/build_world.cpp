@@ -14,7 +14,7 @@ namespace sphinx::model {
 namespace {
 
 template <int Dim>
-Domain<Dim> makeDomain(const Case& model) {
+sphinx::Domain<Dim> makeDomain(const Case& model) {
     sphinx::Domain<Dim> domain;
     for (const Shape& shape : model.shapes)
         if (!shape.as<Dim>()->empty()) domain.bounds.include(shape.as<Dim>()->bounds());

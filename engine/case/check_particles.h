@@ -8,8 +8,7 @@
 
 namespace sphinx::model {
 
-/// Reports bodies without particles, bodies that overlap, fluid outside of the domain, and walls
-/// thinner than three layers.
+/// Reports bodies without particles, bodies that overlap and fluid outside of the domain.
 template <int Dim>
 void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/read.h"
 #include "case/types.h"
+#include "input/expression_parser.h"
 #include "input/reader.h"
 
 #include <fmt/format.h>
@@ -28,10 +29,18 @@ void registerKernels(Registry& registry) {
             "Morris, Fox & Zhu 1997, doi:10.1006/jcph.1997.5776");
 }
 
+void declareVariables(Registry& registry) {
+    struct NoParameters {};
+    auto& d = registry.declare<NoParameters>(Kind::block, "variables");
+    d.summary("Names for numbers, quantities (number, blank, unit) and expressions, in any order");
+    d.formula(expressionHelp());
+}
+
 void declareUnits(Registry& registry) {
     using P = UnitSystem;
     auto& d = registry.declare<P>(Kind::block, "units");
     d.summary("Units of every number without unit, or none; default: SI");
+    d.formula("units: " + unitNames() + "; powers, products and quotients of them: kg/m^3, Pa*s");
     d.optional("length", &P::length, text(), "unit of length");
     d.optional("time", &P::time, text(), "unit of time");
     d.optional("mass", &P::mass, text(), "unit of mass");
@@ -256,6 +265,7 @@ void registerCaseLanguage(Registry& registry) {
     registerKernels(registry);
     registerShapes(registry);
     declareUnits(registry);
+    declareVariables(registry);
     declareResolution(registry);
     declareDomain(registry);
     declareBody(registry);

@@ -87,9 +87,9 @@ class ComponentsType final : public TypeBase {
         component.declaration =
             type->isScalar() ? reader.registry.find(kind_, type->text) : nullptr;
         if (!component.declaration)
-            return reader.error(
-                type->place, "there is no type " + describeNode(*type) + " of " + kindName(kind_) +
-                                 didYouMean(type->text, reader.registry.names(kind_)));
+            return reader.error(type->place,
+                                "unknown type " + describeNode(*type) +
+                                    didYouMean(type->text, reader.registry.names(kind_)));
         std::shared_ptr<void> parameters = component.declaration->makeParameters();
         std::vector<input::Part> parts{{component.declaration, parameters.get()}};
         if (common_) parts.push_back({common_, entries_.common(item)});

@@ -151,12 +151,9 @@ const std::vector<std::string>& expressionConstants() {
 
 std::string expressionHelp() {
     std::string text =
-        "Operators: + - * / ^ (right to left), < <= > >= == !=, && ||, condition ? a : b.\n"
-        "Constants: pi, e.\nFunctions:\n";
-    for (const Function& f : functions) text += "  " + std::string(f.name) + "(a): " + f.doc + "\n";
-    return text +
-           "  atan2(y, x): angle of the point, radian\n"
-           "  max(a, b, ...): largest\n  min(a, b, ...): smallest\n";
+        "+ - * / ^ (right to left), < <= > >= == !=, && ||, condition ? a : b; pi, e";
+    for (const Function& f : functions) text += "; " + std::string(f.name) + "(a) " + f.doc;
+    return text + "; atan2(y, x) angle of a point, radian; max(a, b, ...); min(a, b, ...)";
 }
 
 struct ExpressionParser::Implementation {

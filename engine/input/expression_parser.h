@@ -43,7 +43,7 @@ std::vector<Identifier> scanExpression(std::string_view text,
 /// Names of functions and constants that every expression may use, sorted.
 const std::vector<std::string>& expressionFunctions();
 const std::vector<std::string>& expressionConstants();
-/// "sin(x), ..." with their meaning, for the reference page.
+/// Operators, constants and functions with their meaning, for people.
 std::string expressionHelp();
 
 /// One compiled expression. Not for two threads at once.

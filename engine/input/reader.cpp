@@ -94,8 +94,11 @@ void writeParameters(const Declaration& declaration, const void* parameters, con
     for (const Parameter& p : declaration.parameters()) {
         const void* value = p.in(parameters);
         const Node* given = source ? source->find(p.name) : nullptr;
-        if (!given && p.type->absent(value)) continue;
-        out.set(p.name, p.type->write(value, given));
+        const bool absent = p.type->absent(value);
+        if (absent && !given) continue;
+        Node written = p.type->write(value, given);
+        if (absent && written.isMap() && written.entries.empty()) continue;
+        out.set(p.name, std::move(written));
     }
 }
 

@@ -208,7 +208,7 @@ class ChoiceType final : public TypeBase {
     Node schema(SchemaBuilder&) const override {
         Node schema = Node::map();
         Node& all = schema.set("enum", Node::list());
-        for (const auto& entry : entries_) all.add(Node::string(entry.name));
+        for (const auto& entry : entries_) all.add(Node::plain(entry.name));
         return schema;
     }
     std::string text() const override {

@@ -141,6 +141,12 @@ std::string suggestUnit(std::string_view text) {
     return didYouMean(text, names);
 }
 
+std::string unitNames() {
+    std::vector<std::string> names;
+    for (const NamedUnit& named : named_units) names.emplace_back(named.name);
+    return joined(names);
+}
+
 double UnitSystem::convert(double value, const Unit& given) const {
     Unit ratio = given;
     for (const auto& [name, power] :

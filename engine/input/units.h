@@ -20,6 +20,8 @@ struct Unit {
 
 /// The unit that a text such as "kg/m^3" or "Pa*s" names; nothing when it is not one.
 std::optional<Unit> parseUnit(std::string_view text);
+/// "m, km, cm, ...": all names that units are made of.
+std::string unitNames();
 /// Unit names close to a wrong one, for messages.
 std::string suggestUnit(std::string_view text);
 

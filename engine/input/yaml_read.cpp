@@ -5,6 +5,7 @@
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
+#include <optional>
 #include <sstream>
 #include <unordered_map>
 
@@ -30,6 +31,9 @@ class TreeBuilder final : public YAML::EventHandler {
 
     Node result;
     int documents = 0;
+    /// Where a list or map stands as a key. yaml-cpp also takes an unclosed bracket for one, and
+    /// says so only later.
+    std::optional<Place> complex_key;
 
     Place place(const YAML::Mark& mark) const {
         return {source_, mark.line + 1 + offset_.line,
@@ -87,6 +91,7 @@ class TreeBuilder final : public YAML::EventHandler {
         Node node;
         YAML::anchor_t anchor = YAML::NullAnchor;
         std::size_t size_before = 0;
+        bool is_key = false;  // a list or map where a key should be: dropped
         bool has_key = false;
         bool keep = true;  // false: the value of a duplicate key is dropped
         std::string key;
@@ -116,9 +121,11 @@ class TreeBuilder final : public YAML::EventHandler {
         const Place where = place(mark);
         if (frames_.size() >= deepest)
             throw Refused{where, "nested more than " + std::to_string(deepest) + " deep"};
-        if (wantsKey()) throw Refused{where, "a key must be a single word"};
         refuseTag(tag, where);
+        const bool is_key = wantsKey();
+        if (is_key && !complex_key) complex_key = where;
         Frame& frame = frames_.emplace_back();
+        frame.is_key = is_key;
         frame.node = Node(kind);
         frame.node.place = where;
         frame.node.flow = style == YAML::EmitterStyle::Flow;
@@ -128,6 +135,11 @@ class TreeBuilder final : public YAML::EventHandler {
     void close() {
         Frame frame = std::move(frames_.back());
         frames_.pop_back();
+        if (frame.is_key) {
+            frames_.back().has_key = true;
+            frames_.back().keep = false;
+            return;
+        }
         findSplitExpressions(frame.node, diagnostics_);
         accept(std::move(frame.node), frame.anchor, values_ - frame.size_before);
     }
@@ -200,6 +212,8 @@ Node readYaml(const std::shared_ptr<const Source>& source, std::string_view text
         YAML::Parser parser(stream);
         while (parser.HandleNextDocument(builder)) {
         }
+        if (builder.complex_key)
+            diagnostics.error(*builder.complex_key, "a key must be a single word");
     } catch (const Refused& refused) {
         diagnostics.error(refused.place, refused.message);
     } catch (const YAML::ParserException& e) {

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "case/model.h"
+#include "core/progress.h"
+#include "io/provenance.h"
+#include "io/restart.h"
+#include "loop/plan.h"
+#include "neighbors/relations.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace sphinx::model {
+
+/// What the outputs of a case are made from.
+template <int Dim>
+struct OutputTools {
+    const Case& model;
+    World<Dim>& world;
+    Relations<Dim>& relations;
+    io::Path folder;
+    io::Provenance provenance;
+    std::function<Progress()> progress;
+    io::RestartHeader restart_header;
+    std::vector<io::RestartBody<Dim>> restart_bodies;
+    io::StateTransfer state;
+};
+
+/// The outputs of a case.
+template <int Dim>
+class Outputs {
+ public:
+    /// Without `files` only those that write no file (progress) are made.
+    Outputs(const OutputTools<Dim>& tools, bool files);
+
+    void addTo(loop::Plan& plan) const;
+
+ private:
+    std::vector<std::unique_ptr<Output>> outputs_;
+    std::vector<loop::OutputEntry> entries_;
+};
+
+}  // namespace sphinx::model

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/health.h"
+
+#include "core/errors.h"
+#include "core/log.h"
+#include "core/parallel.h"
+#include "materials/fluid.h"
+
+#include <fmt/format.h>
+#include <cmath>
+
+namespace sphinx::model {
+namespace {
+
+/// Above this part of the sound speed the density changes by more than a percent.
+constexpr double speed_limit = 0.1;
+constexpr double density_limit = 0.03;
+
+void collectWriters(const loop::LineFacts& line,
+                    std::map<std::pair<std::string, std::string>, std::string>& writers) {
+    for (const FieldAccess& access : line.accesses)
+        if (access.mode != AccessMode::read) writers[{access.body, access.field}] = line.label;
+}
+
+void collectWriters(const loop::LayerFacts& layer,
+                    std::map<std::pair<std::string, std::string>, std::string>& writers) {
+    for (const loop::StepFacts& step : layer.steps)
+        std::visit([&](const auto& value) { collectWriters(value, writers); }, step.value);
+}
+
+struct Extremes {
+    double speed2 = 0;
+    double density = 0;  // largest deviation from rho0
+    bool finite = true;
+};
+
+}  // namespace
+
+template <int Dim>
+Health<Dim>::Health(const World<Dim>& world, const loop::LoopFacts& facts) : world_(world) {
+    collectWriters(facts.outermost, last_writer_);
+}
+
+template <int Dim>
+void Health<Dim>::check(const Clock& clock) {
+    for (const auto& body : world_.bodies) {
+        if (body->kind != BodyKind::fluid) continue;
+        const auto& velocity = body->particles.vector(fields::velocity);
+        const auto& density = body->particles.scalar(fields::density);
+        const auto& fluid = dynamic_cast<const WeaklyCompressibleFluid&>(*body->material);
+        const double rho0 = fluid.density();
+        const Extremes e = parallelReduce(
+            body->size(), Extremes{},
+            [&](std::size_t begin, std::size_t end) {
+                double speed2 = 0;
+                double deviation = 0;
+                double sum = 0;  // not finite as soon as one term is not
+                for (std::size_t i = begin; i < end; ++i) {
+                    const double s = velocity[i].squaredNorm();
+                    const double d = std::abs(density[i] - rho0);
+                    sum += s + d;
+                    speed2 = s > speed2 ? s : speed2;
+                    deviation = d > deviation ? d : deviation;
+                }
+                return Extremes{speed2, deviation, std::isfinite(sum)};
+            },
+            [](const Extremes& a, const Extremes& b) {
+                return Extremes{std::max(a.speed2, b.speed2), std::max(a.density, b.density),
+                                a.finite && b.finite};
+            });
+        if (!e.finite) fail(*body, clock);
+        const double speed = std::sqrt(e.speed2);
+        if (speed > speed_limit * fluid.soundSpeed() && !warned_speed_[body->name]) {
+            warned_speed_[body->name] = true;
+            log::warning(fmt::format(
+                "time {:g}: {} moves at {:.3g}, more than a tenth of its sound speed {:.3g}; "
+                "raise sound_speed",
+                clock.time, body->name, speed, fluid.soundSpeed()));
+        }
+        if (e.density > density_limit * rho0 && !warned_density_[body->name]) {
+            warned_density_[body->name] = true;
+            log::warning(
+                fmt::format("time {:g}: the density of {} is off by {:.1f} % (up to 3 % "
+                            "is normal)",
+                            clock.time, body->name, 100 * e.density / rho0));
+        }
+    }
+}
+
+template <int Dim>
+void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const {
+    auto& particles = const_cast<ParticleSet<Dim>&>(body.particles);
+    const auto& position = particles.position();
+    // The field closest to the cause first: a bad density spoils pressure, then velocity.
+    for (const FieldInfo* info : {&fields::density, &fields::velocity}) {
+        FieldBase& field = particles.require(*info);
+        const int n = field.components();
+        for (std::size_t i = 0; i < body.size(); ++i)
+            for (int c = 0; c < n; ++c) {
+                const double value =
+                    field.numbers()[i * static_cast<std::size_t>(n) + static_cast<std::size_t>(c)];
+                if (std::isfinite(value)) continue;
+                std::string place;
+                for (int k = 0; k < Dim; ++k)
+                    place += fmt::format("{}{:g}", k == 0 ? "(" : ", ", position[i][k]);
+                const auto writer = last_writer_.find({body.name, std::string(info->name)});
+                throw PhysicsError(fmt::format(
+                    "{} of particle {} of {} at {}) is {} after {} at time {:g}; a smaller cfl or "
+                    "a higher sound_speed may help",
+                    info->name, particles.id()[i], body.name, place, value,
+                    writer == last_writer_.end() ? "the step" : writer->second, clock.time));
+            }
+    }
+    throw PhysicsError(
+        fmt::format("speeds of {} are too large to square at time {:g}", body.name, clock.time));
+}
+
+template class Health<2>;
+template class Health<3>;
+
+}  // namespace sphinx::model

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/world.h"
+#include "core/clock.h"
+#include "loop/facts.h"
+
+#include <map>
+#include <string>
+
+namespace sphinx::model {
+
+/// Looks at the particles after every outermost step: stops a run in which a number stopped being
+/// one, and warns once per body of speeds and densities that the method is not made for.
+template <int Dim>
+class Health {
+ public:
+    Health(const World<Dim>& world, const loop::LoopFacts& facts);
+
+    /// Throws PhysicsError that names particle, position, method and time.
+    void check(const Clock& clock);
+
+ private:
+    [[noreturn]] void fail(const sphinx::Body<Dim>& body, const Clock& clock) const;
+
+    const World<Dim>& world_;
+    std::map<std::pair<std::string, std::string>, std::string> last_writer_;  // by body and field
+    std::map<std::string, bool> warned_speed_;
+    std::map<std::string, bool> warned_density_;
+};
+
+}  // namespace sphinx::model

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/physics_text.h"
+
+#include "input/yaml.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+namespace sphinx::model {
+namespace {
+
+void drop(input::Node& map, std::string_view key) {
+    std::erase_if(map.entries, [&](const input::Node::Entry& e) { return e.key == key; });
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+}  // namespace
+
+std::string physicsText(const Case& model) {
+    input::Node resolved = model.resolved;
+    for (const char* key : {"title", "outputs", "variables", "include"}) drop(resolved, key);
+    if (input::Node* loop = resolved.find("loop")) drop(*loop, "end_time");
+    return input::writeYaml(resolved, false);
+}
+
+std::string difference(const std::string& before, const std::string& after, std::size_t limit) {
+    const std::vector<std::string> a = linesOf(before);
+    const std::vector<std::string> b = linesOf(after);
+    // Length of the longest common subsequence of the rests, for the shortest list of changes.
+    std::vector<std::vector<std::size_t>> common(a.size() + 1,
+                                                 std::vector<std::size_t>(b.size() + 1, 0));
+    for (std::size_t i = a.size(); i-- > 0;)
+        for (std::size_t j = b.size(); j-- > 0;)
+            common[i][j] = a[i] == b[j] ? common[i + 1][j + 1] + 1
+                                        : std::max(common[i + 1][j], common[i][j + 1]);
+    std::string text;
+    std::size_t count = 0;
+    for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+        if (i < a.size() && j < b.size() && a[i] == b[j]) {
+            ++i;
+            ++j;
+            continue;
+        }
+        const bool removed =
+            j == b.size() || (i < a.size() && common[i + 1][j] >= common[i][j + 1]);
+        const std::string line = removed ? "- " + a[i] : "+ " + b[j];
+        removed ? ++i : ++j;
+        if (count < limit) text += line + "\n";
+        if (count == limit) text += "...\n";
+        ++count;
+    }
+    return text;
+}
+
+}  // namespace sphinx::model
