@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "io/register.h"
+
+#include "io/body_selection.h"
+#include "io/hdf5_output.h"
+#include "io/progress.h"
+#include "io/tecplot.h"
+#include "io/unit_text.h"
+#include "io/vtkhdf.h"
+#include "io/vtu.h"
+
+namespace sphinx::io {
+namespace {
+
+using input::Component;
+
+enum class Precision { full, single };
+
+struct FrameSettings {
+    BodySelection bodies;
+};
+struct NumberFrameSettings : FrameSettings {
+    Precision precision = Precision::full;
+
+    bool single() const { return precision == Precision::single; }
+};
+
+/// The parameters that all outputs of frames share.
+template <class P>
+void declareBodies(input::Declared<P>& d) {
+    d.optional("bodies", &P::bodies, bodySelection(),
+               "what is written; default: velocity, density and pressure of every fluid, velocity "
+               "and normal of every solid. Position, id and mass are always there");
+}
+
+void declarePrecision(input::Declared<NumberFrameSettings>& d) {
+    d.optional("precision", &NumberFrameSettings::precision,
+               input::choice<Precision>({
+                   {"double", Precision::full, "64-bit numbers"},
+                   {"single", Precision::single, "32-bit numbers: half the size"},
+               }),
+               "of the numbers in the files");
+}
+
+void declareVtu(input::Registry& registry) {
+    using P = NumberFrameSettings;
+    auto& d = registry.declare<P>(input::Kind::output, "vtu");
+    d.summary("Frames for ParaView: BODY_NNNNNN.vtu and one BODY.pvd a body");
+    declareBodies(d);
+    declarePrecision(d);
+    d.builder(outputFactory<P>(
+        []<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
+            return std::make_unique<VtuOutput<Dim>>(
+                VtuParameters{context.folder, p.single(), context.units, context.provenance},
+                selectFrames(p.bodies, context.world));
+        }));
+}
+
+void declareVtkHdf(input::Registry& registry) {
+    using P = NumberFrameSettings;
+    auto& d = registry.declare<P>(input::Kind::output, "vtkhdf");
+    d.summary("Frames as one time series BODY.vtkhdf a body, for ParaView from 5.12 on");
+    declareBodies(d);
+    declarePrecision(d);
+    d.builder(outputFactory<P>(
+        []<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
+            return std::make_unique<VtkHdfOutput<Dim>>(
+                VtkHdfParameters{context.folder, p.single(), context.units, context.provenance},
+                selectFrames(p.bodies, context.world));
+        }));
+}
+
+void declareHdf5(input::Registry& registry) {
+    using P = NumberFrameSettings;
+    auto& d = registry.declare<P>(input::Kind::output, "hdf5");
+    d.summary("Frames as plain datasets in results.h5: bodies/BODY/frame_NNNNNN/FIELD");
+    declareBodies(d);
+    declarePrecision(d);
+    d.builder(outputFactory<P>(
+        []<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
+            return std::make_unique<Hdf5Output<Dim>>(Hdf5Parameters{p.single(), context.units},
+                                                     context.results,
+                                                     selectFrames(p.bodies, context.world));
+        }));
+}
+
+void declareTecplot(input::Registry& registry) {
+    using P = FrameSettings;
+    auto& d = registry.declare<P>(input::Kind::output, "tecplot");
+    d.summary("Frames as Tecplot text: BODY_NNNNNN.dat");
+    declareBodies(d);
+    d.builder(outputFactory<P>(
+        []<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
+            return std::make_unique<TecplotOutput<Dim>>(
+                TecplotParameters{context.folder, context.units, context.provenance},
+                selectFrames(p.bodies, context.world));
+        }));
+}
+
+struct ProgressSettings {};
+
+void declareProgress(input::Registry& registry) {
+    using P = ProgressSettings;
+    auto& d = registry.declare<P>(input::Kind::output, "progress");
+    d.summary("Time, steps, speed and time left, on the terminal and in the log");
+    d.builder(outputFactory<P>(
+        []<int Dim>(const P&, const Component&, const OutputContext<Dim>& context) {
+            return std::make_unique<ProgressOutput>(
+                ProgressParameters{onTerminal(), unitText(unit::time, context.units)},
+                context.progress);
+        }));
+}
+
+void declareRestart(input::Registry& registry) {
+    using P = RestartSettings;
+    auto& d = registry.declare<P>(input::Kind::output, "restart");
+    d.summary("States from which a run goes on with the same bits: restart/NAME_STEP.xml");
+    d.optional("keep", &P::keep, input::integer().atLeast(1), "newest files that stay");
+    d.optional("encoding", &P::encoding,
+               input::choice<RestartEncoding>({
+                   {"base64", RestartEncoding::zlib, "compressed bytes"},
+                   {"text", RestartEncoding::text, "decimals that read back as the same bits"},
+               }),
+               "how the values of particles are written");
+}
+
+}  // namespace
+
+void registerOutputs(input::Registry& registry) {
+    declareVtu(registry);
+    declareVtkHdf(registry);
+    declareHdf5(registry);
+    declareTecplot(registry);
+    declareProgress(registry);
+    declareRestart(registry);
+}
+
+}  // namespace sphinx::io

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input/registry.h"
+#include "io/output_factory.h"
+#include "io/restart.h"
+
+namespace sphinx::io {
+
+/// Declares every type of output. Their builders are OutputFactory, but `restart` has none: it
+/// needs the whole simulation and is built by case/ from these parameters.
+void registerOutputs(input::Registry& registry);
+
+struct RestartSettings {
+    int keep = 2;
+    RestartEncoding encoding = RestartEncoding::zlib;
+};
+
+}  // namespace sphinx::io
