@@ -108,12 +108,12 @@ std::string compress(std::string_view bytes) {
 bool decompress(std::string_view stream, char* to, std::size_t size) {
     constexpr std::size_t limit = std::numeric_limits<uInt>::max();
     if (stream.size() > limit || size > limit) return false;
-    uLongf written = size;
+    // zlib takes an output of no bytes for one of any size, so it gets one byte more to fill.
+    char spare = 0;
+    uLongf written = size > 0 ? size : 1;
     uLong consumed = stream.size();
-    // zlib refuses a null pointer even where there is nothing to write.
-    char nothing = 0;
-    Bytef* target = bytePointer(size > 0 ? to : &nothing);
-    return uncompress2(target, &written, bytePointer(stream.data()), &consumed) == Z_OK &&
+    return uncompress2(bytePointer(size > 0 ? to : &spare), &written, bytePointer(stream.data()),
+                       &consumed) == Z_OK &&
            written == size && consumed == stream.size();
 }
 

@@ -100,6 +100,7 @@ void ChunkedArray::appendRow(SafeFile& file, std::string_view row) {
 
 void ChunkedArray::adopt(std::vector<Chunk> chunks, std::uint32_t chunk_rows, std::uint64_t rows) {
     chunks_ = std::move(chunks);
+    chunks_.resize((rows + chunk_rows - 1) / chunk_rows);
     chunk_rows_ = chunk_rows;
     rows_ = rows;
     changed_ = chunks_changed_ = true;

@@ -95,7 +95,7 @@ class ChunkedArray final : public ObjectNode {
     /// Filtered arrays (shuffled and deflated) grow by whole chunks only.
     ChunkedArray(Number type, Dimensions row_shape, std::uint32_t chunk_rows, bool filtered);
 
-    std::uint64_t rows() const { return rows_; }
+    const Dimensions& rowShape() const { return row_shape_; }
 
     /// Filtered: appends rows as new chunks, the last one filled up with zeros. Returns the row
     /// where they begin.

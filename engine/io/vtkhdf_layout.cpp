@@ -174,11 +174,9 @@ bool VtkHdfLayout::load(const Path& path, std::int64_t frames) {
     if (!sound)
         throw FileError("cannot continue " + path.string() + ": its steps do not fit together");
 
-    // Rows behind the last kept step are dropped by chunks.
+    // Rows behind the last kept step are dropped.
     const auto adopt = [](ChunkedArray& array, StoredArray from, std::int64_t end) {
         const auto kept = std::min(static_cast<std::uint64_t>(end), from.rows);
-        const std::uint64_t chunks = (kept + from.chunk_rows - 1) / from.chunk_rows;
-        from.chunks.resize(chunks);
         array.adopt(std::move(from.chunks), from.chunk_rows, kept);
     };
     for (std::size_t a = 0; a < arrays_.size(); ++a) {

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "core/errors.h"
+#include "io/hdf5_output.h"
+#include "io/hdf5_reader.h"
+#include "io/tecplot.h"
+#include "io/vtkhdf.h"
+#include "io/vtu.h"
+#include "support.h"
+
+#include <catch2/catch.hpp>
+
+// What other readers find in the files is tested in tests/regression/readers.
+
+using namespace sphinx;
+using namespace sphinx::io;
+using namespace sphinx::test;
+
+namespace {
+
+/// Gives an output the number of frames that a restart would give it.
+class FramesArchive final : public Archive {
+ public:
+    explicit FramesArchive(std::int64_t frames) : frames_(frames) {}
+    bool loading() const override { return true; }
+    void value(std::string_view, double&) override { FAIL("no number expected"); }
+    void value(std::string_view, std::string&) override { FAIL("no text expected"); }
+    void value(std::string_view name, std::int64_t& v) override {
+        CHECK(name == "frames");
+        v = frames_;
+    }
+    void enter(std::string_view) override {}
+    void leave() override {}
+
+ private:
+    std::int64_t frames_;
+};
+
+Clock clockOf(int frame) {
+    Clock clock;
+    clock.time = 0.5 * frame;
+    clock.steps = 10 * frame;
+    return clock;
+}
+
+void writeFrames(Output& output, Body<2>& body, int begin, int end) {
+    for (int frame = begin; frame < end; ++frame) {
+        setValues(body, frame);
+        output.write(clockOf(frame));
+    }
+    output.finish();
+}
+
+std::vector<std::string> names(const Path& folder) {
+    std::vector<std::string> result;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        result.push_back(entry.path().filename().string());
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("names of frames") {
+    CHECK(frameName("water", 12, ".vtu") == "water_000012.vtu");
+    CHECK(frameName("water", 12345678, ".vtu") == "water_12345678.vtu");
+    CHECK(frameNumber("water_000012.vtu", "water", ".vtu") == 12);
+    CHECK(frameNumber("water_12345678.vtu", "water", ".vtu") == 12345678);
+    for (const char* other : {"water_000012.pvd", "waters_000012.vtu", "water_top_000012.vtu",
+                              "water_-00012.vtu", "water_12.vtu", "water_99999999999999999999.vtu"})
+        CHECK(frameNumber(other, "water", ".vtu") == -1);
+}
+
+TEST_CASE("a frame has id and mass, the named fields once, and no others") {
+    auto body = makeBody<2>("water", 2);
+    const auto list = frameFields<2>({body.get(), {"pressure", "id", "position", "pressure"}});
+    REQUIRE(list.size() == 3);
+    CHECK(list[0]->info().name == "id");
+    CHECK(list[1]->info().name == "mass");
+    CHECK(list[2]->info().name == "pressure");
+    CHECK_THROWS_WITH(frameFields<2>({body.get(), {"presure"}}),
+                      "body 'water' has no field 'presure'");
+}
+
+TEST_CASE("VTU frames behind the resumed state are dropped, and numbers go on") {
+    TemporaryFolder folder;
+    auto body = makeBody<2>("water", 5);
+    const VtuParameters parameters{folder.path(), false, {}, {}};
+    VtuOutput<2> first(parameters, {{body.get(), {}}});
+    writeFrames(first, *body, 0, 5);
+    File::create(folder / "water_000005.vtu.tmp").write("unfinished");
+    File::create(folder / "water_level_000004.vtu").write("of another body");
+
+    VtuOutput<2> second(parameters, {{body.get(), {}}});
+    FramesArchive archive(2);
+    second.transfer(archive);
+    second.resume(clockOf(1));
+    CHECK(names(folder.path()) == std::vector<std::string>{"water.pvd", "water_000000.vtu",
+                                                           "water_000001.vtu",
+                                                           "water_level_000004.vtu"});
+    writeFrames(second, *body, 2, 3);
+    const std::vector<PvdEntry> entries = readPvd(folder / "water.pvd");
+    REQUIRE(entries.size() == 3);
+    CHECK(entries[2].file == "water_000002.vtu");
+    CHECK(entries[2].frame == 2);
+    CHECK(entries[2].time == 1.0);
+}
+
+TEST_CASE("a list of VTU frames that is not ours is an error") {
+    TemporaryFolder folder;
+    CHECK(readPvd(folder / "none.pvd").empty());
+    File::create(folder / "a.pvd").write("<svg/>");
+    CHECK_THROWS_WITH(readPvd(folder / "a.pvd"),
+                      Catch::Contains("it is not a ParaView collection"));
+    File::create(folder / "b.pvd")
+        .write(
+            "<VTKFile><Collection><DataSet timestep=\"x\" frame=\"1\" file=\"f\"/>"
+            "</Collection></VTKFile>");
+    CHECK_THROWS_WITH(readPvd(folder / "b.pvd"), Catch::Contains("line 1 is not a frame"));
+}
+
+TEST_CASE("Tecplot frames behind the resumed state are dropped") {
+    TemporaryFolder folder;
+    auto body = makeBody<2>("water", 5);
+    auto empty = makeBody<2>("air", 0);
+    const TecplotParameters parameters{folder.path(), {}, {{{"commit", "a\"b"}}}};
+    TecplotOutput<2> first(parameters, {{body.get(), {}}, {empty.get(), {}}});
+    writeFrames(first, *body, 0, 3);
+    TecplotOutput<2> second(parameters, {{body.get(), {}}});
+    FramesArchive archive(1);
+    second.transfer(archive);
+    second.resume(clockOf(1));
+    CHECK(names(folder.path()) == std::vector<std::string>{"water_000000.dat"});
+    const std::string text = readFile(folder / "water_000000.dat", 10000);
+    CHECK(text ==
+          "TITLE = \"water\"\n"
+          "VARIABLES = \"x [m]\" \"y [m]\" \"id\" \"mass [kg]\"\n"
+          "DATASETAUXDATA commit = \"a'b\"\n"
+          "ZONE T = \"water\", I = 5, DATAPACKING = POINT, STRANDID = 1, SOLUTIONTIME = 0\n"
+          "0 1 0 0.5\n"
+          "0.14285714285714285 1.1428571428571428 1 0.5\n"
+          "0.2857142857142857 1.2857142857142856 2 0.5\n"
+          "0.42857142857142855 1.4285714285714286 3 0.5\n"
+          "0.5714285714285714 1.5714285714285714 4 0.5\n");
+}
+
+TEST_CASE("HDF5 frames behind the resumed state are dropped") {
+    TemporaryFolder folder;
+    const Path path = folder / "results.h5";
+    auto body = makeBody<2>("water", 5);
+    Hdf5Output<2> first({}, std::make_shared<ResultsFile>(path, Provenance{}),
+                        {{body.get(), {"pressure"}}});
+    writeFrames(first, *body, 0, 5);
+    Hdf5Output<2> second({}, std::make_shared<ResultsFile>(path, Provenance{}),
+                         {{body.get(), {"velocity"}}});
+    FramesArchive archive(2);
+    second.transfer(archive);
+    second.resume(clockOf(1));
+    CHECK(hdf5::Reader(path).numbers("bodies/water/time") == std::vector<double>{0, 0.5});
+    writeFrames(second, *body, 2, 4);
+    const hdf5::Reader reader(path);
+    CHECK(reader.numbers("bodies/water/time") == std::vector<double>{0, 0.5, 1, 1.5});
+    CHECK(reader.integers("bodies/water/frame") == std::vector<std::int64_t>{0, 1, 2, 3});
+    CHECK(reader.has("bodies/water/frame_000001/pressure"));
+    CHECK_FALSE(reader.has("bodies/water/frame_000002/pressure"));
+    CHECK(reader.has("bodies/water/frame_000003/velocity"));
+    CHECK_FALSE(reader.has("bodies/water/frame_000004"));
+    CHECK(reader.numbers("bodies/water/frame_000002/position")[2] == 1 / 7. + 0.5);
+}
+
+TEST_CASE("a VTKHDF file with other fields is kept beside the new one") {
+    TemporaryFolder folder;
+    auto body = makeBody<2>("water", 5);
+    const VtkHdfParameters parameters{folder.path(), false, {}, {}};
+    VtkHdfOutput<2> first(parameters, {{body.get(), {"pressure"}}});
+    writeFrames(first, *body, 0, 3);
+    VtkHdfOutput<2> second(parameters, {{body.get(), {"velocity"}}});
+    FramesArchive archive(2);
+    second.transfer(archive);
+    second.resume(clockOf(1));
+    writeFrames(second, *body, 2, 3);
+    CHECK(names(folder.path()) ==
+          std::vector<std::string>{"water.before_10.vtkhdf", "water.vtkhdf"});
+    CHECK(hdf5::Reader(folder / "water.before_10.vtkhdf").numbers("VTKHDF/Steps/Values") ==
+          std::vector<double>{0, 0.5, 1});
+    CHECK(hdf5::Reader(folder / "water.vtkhdf").numbers("VTKHDF/Steps/Values") ==
+          std::vector<double>{1});
+}
+
+TEST_CASE("results files are not overwritten, and foreign ones not continued") {
+    TemporaryFolder folder;
+    auto body = makeBody<2>("water", 5);
+    const VtkHdfParameters parameters{folder.path(), false, {}, {}};
+    File::create(folder / "water.vtkhdf").write(std::string(100, 'x'));
+    VtkHdfOutput<2> output(parameters, {{body.get(), {}}});
+    CHECK_THROWS_WITH(output.write(clockOf(0)), Catch::Contains("it exists already"));
+    CHECK_THROWS_WITH(output.resume(clockOf(0)), Catch::Contains("it is not an HDF5 file"));
+}
