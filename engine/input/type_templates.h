@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The containers of type.h, as thin typed shells around code that works on TypeBase.
-
-#include "input/type.h"
+// The containers of type.h, as thin typed shells around code that works on TypeBase. Only type.h
+// includes this, at its end.
 
 namespace sphinx::input {
 namespace detail {
