@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""Plants violations in small trees and expects scripts/check_layers to name each of them.
+
+usage: self_test.py CHECK_LAYERS
+"""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+CLEAN = {
+    "engine/core/types.h": "#include <tbb/parallel_for.h>\n#include <vector>\n",
+    "engine/input/node.h": '#include "core/types.h"\n',
+    "engine/input/node.cpp": '#include "input/node.h"\n#include <yaml-cpp/yaml.h>\n',
+    "engine/bodies/body.h": '#include "core/types.h"\n',
+    "engine/neighbors/list.h": '#include "bodies/body.h"\n',
+    "engine/io/vtu.h": '#include "neighbors/list.h"\n',
+    "engine/loop/layer.h": '#include "core/types.h"\n',
+    "engine/case/read.h": '#include "input/node.h"\n',
+    "app/main.cpp": '#include "case/read.h"\n#include <CLI/CLI.hpp>\n',
+}
+
+
+def check(changes):
+    """Exit code and output for the clean tree with these files added or replaced."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in {**CLEAN, **changes}.items():
+            path = Path(folder) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        result = subprocess.run([sys.executable, CHECK_LAYERS, folder], capture_output=True,
+                                text=True, check=False)
+        return result.returncode, result.stdout + result.stderr
+
+
+class CheckLayers(unittest.TestCase):
+    def expect(self, changes, message):
+        code, output = check(changes)
+        self.assertIn(message, output)
+        self.assertEqual(code, 1)
+
+    def test_clean_tree_passes(self):
+        self.assertEqual(check({}), (0, "9 files, no violation\n"))
+
+    def test_include_of_a_folder_further_left(self):
+        self.expect({"engine/core/log.h": '\n#include "input/node.h"\n'},
+                    "engine/core/log.h:2: core/ may not include input/: input/node.h")
+
+    def test_include_within_a_layer(self):
+        self.expect({"engine/loop/output.h": '#include "io/vtu.h"\n'},
+                    "engine/loop/output.h:1: loop/ may not include io/: io/vtu.h")
+
+    def test_include_within_a_layer_has_one_direction(self):
+        self.expect({"engine/bodies/part.h": '#include "neighbors/list.h"\n'},
+                    "engine/bodies/part.h:1: bodies/ may not include neighbors/")
+
+    def test_library_of_another_folder(self):
+        for include in ("tbb/parallel_for.h", "yaml-cpp/yaml.h", "muParser.h", "CGAL/Origin.h",
+                        "tinyxml2.h", "hdf5.h", "Simbody.h", "CLI/CLI.hpp"):
+            with self.subTest(include):
+                self.expect({"engine/dynamics/force.h": f"#  include <{include}>\n"},
+                            f"engine/dynamics/force.h:1: includes <{include}>, which only")
+
+    def test_cycle_of_files(self):
+        self.expect({"engine/core/a.h": '#include "core/b.h"\n',
+                     "engine/core/b.h": '#include "core/c.h"\n',
+                     "engine/core/c.h": '#include "core/a.h"\n'},
+                    "cycle of includes: core/a.h -> core/b.h -> core/c.h -> core/a.h")
+
+    def test_unknown_folder(self):
+        self.expect({"engine/misc/a.h": ""}, "folder misc/ has no place among the layers")
+
+    def test_include_that_leads_nowhere(self):
+        self.expect({"engine/core/a.h": '#include "types.h"\n'},
+                    "engine/core/a.h:1: types.h is not a file of engine/ or app/")
+
+    def test_tree_without_sources(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = subprocess.run([sys.executable, CHECK_LAYERS, folder], capture_output=True,
+                                    text=True, check=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("no sources", result.stdout)
+
+
+if __name__ == "__main__":
+    CHECK_LAYERS = sys.argv.pop(1)
+    unittest.main()
