@@ -15,6 +15,10 @@ class Output {
 
     /// Writes the state at clock.time (clock.steps outermost steps are complete). Throws FileError.
     virtual void write(const Clock& clock) = 0;
+    /// True for an output that looks at every step (time averages): sample() is called after each
+    /// outermost step, before any output writes.
+    virtual bool samplesEveryStep() const { return false; }
+    virtual void sample(const Clock&) {}
     /// State that a restart must carry (frames written so far, running means). A resumed run goes
     /// on in the same files, without writing a frame twice.
     virtual void transfer(Archive&) {}

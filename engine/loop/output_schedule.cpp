@@ -36,7 +36,16 @@ void OutputSchedule::writeFirst() {
     write(due);
 }
 
+void OutputSchedule::sample() {
+    for (EntryRun& run : entries_) {
+        if (!run.entry.output->samplesEveryStep()) continue;
+        const TimedCall timed(run.tally);
+        run.entry.output->sample(outermost_.clock());
+    }
+}
+
 void OutputSchedule::writeDue(double wall_seconds) {
+    sample();
     // All triggers move before anything is written: a restart carries the state after this step.
     std::vector<bool> due(entries_.size());
     bool any = false;

@@ -24,7 +24,8 @@ class OutputSchedule {
 
     /// Before the first step of a fresh run; restarts wait for the first step.
     void writeFirst();
-    /// After an outermost step. `wall_seconds`: since the start of the process.
+    /// After an outermost step: lets the outputs sample that do so, then writes those that are due.
+    /// `wall_seconds`: since the start of the process.
     void writeDue(double wall_seconds);
     /// At the end: everything that has not written this state yet.
     void writeLast();
@@ -47,6 +48,7 @@ class OutputSchedule {
     double value(const EntryRun& run) const;
     void startTrigger(EntryRun& run) const;
     void transferEntry(Archive& archive, EntryRun& run);
+    void sample();
     /// Writes the entries of `due` that have not written at this step, restarts last.
     void write(const std::vector<bool>& due);
 
