@@ -90,6 +90,13 @@ Method* Methods<Dim>::zero(sphinx::Body<Dim>& body, const std::string& field) {
 }
 
 template <int Dim>
+std::vector<const Method*> Methods<Dim>::all() const {
+    std::vector<const Method*> methods;
+    for (const auto& [name, method] : methods_) methods.push_back(method.get());
+    return methods;
+}
+
+template <int Dim>
 void Methods<Dim>::transfer(Archive& archive) {
     for (const auto& [name, method] : methods_) {
         Section section(archive, name);

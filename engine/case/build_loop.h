@@ -24,6 +24,8 @@ class Methods {
     /// A method that sets a field to zero; it lives as long as this object.
     Method* zero(sphinx::Body<Dim>& body, const std::string& field);
 
+    std::vector<const Method*> all() const;
+
     /// State of all methods, a section for each.
     void transfer(Archive& archive);
 

@@ -2,10 +2,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/build_outputs.h"
 
+#include "case/build_loop.h"
+#include "io/output_factory.h"
+#include "io/register.h"
+#include "io/restart_output.h"
+
 namespace sphinx::model {
+namespace {
 
 template <int Dim>
-Outputs<Dim>::Outputs(const OutputTools<Dim>&, bool) {}
+std::unique_ptr<sphinx::Output> makeRestart(const OutputTools<Dim>& tools, const Output& source) {
+    const auto& settings = source.as<io::RestartSettings>();
+    io::RestartParameters parameters{tools.folder / "restart", settings.keep, settings.encoding,
+                                     tools.restart_header};
+    return std::make_unique<io::RestartOutput<Dim>>(parameters, tools.restart_bodies, tools.state);
+}
+
+/// Observers whose points move with the material.
+template <int Dim>
+std::vector<const sphinx::Body<Dim>*> followers(const OutputTools<Dim>& tools) {
+    std::vector<const sphinx::Body<Dim>*> bodies;
+    for (const Body& body : tools.model.bodies)
+        if (body.kind == BodyKind::observer && body.follows == Follows::material)
+            bodies.push_back(tools.world.find(body.name));
+    return bodies;
+}
+
+}  // namespace
+
+template <int Dim>
+Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
+    const auto results =
+        std::make_shared<io::ResultsFile>(tools.folder / "results.h5", tools.provenance);
+    const io::OutputContext<Dim> context{tools.world,       tools.relations,  tools.folder,
+                                         tools.model.units, tools.provenance, results,
+                                         tools.progress,    tools.methods,    followers(tools)};
+    for (const Output& source : tools.model.outputs) {
+        const std::string& type = source.declaration->name();
+        const bool restart = type == "restart";
+        if (!files && type != "progress") continue;
+        if (restart)
+            outputs_.push_back(makeRestart(tools, source));
+        else
+            outputs_.push_back(
+                source.declaration->builder<io::OutputFactory>().make(source, context));
+        entries_.push_back(
+            {source.name, type, outputs_.back().get(), triggerOf(source.every), restart});
+    }
+}
+
 template <int Dim>
 void Outputs<Dim>::addTo(loop::Plan& plan) const {
     plan.outputs = entries_;

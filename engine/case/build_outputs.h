@@ -24,6 +24,7 @@ struct OutputTools {
     io::Path folder;
     io::Provenance provenance;
     std::function<Progress()> progress;
+    std::vector<const Method*> methods;  ///< those of the loop
     io::RestartHeader restart_header;
     std::vector<io::RestartBody<Dim>> restart_bodies;
     io::StateTransfer state;
@@ -39,7 +40,7 @@ class Outputs {
     void addTo(loop::Plan& plan) const;
 
  private:
-    std::vector<std::unique_ptr<Output>> outputs_;
+    std::vector<std::unique_ptr<sphinx::Output>> outputs_;
     std::vector<loop::OutputEntry> entries_;
 };
 

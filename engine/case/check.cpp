@@ -6,8 +6,8 @@
 #include "case/loop_facts.h"
 #include "neighbors/neighbor_list.h"
 
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 #include <numbers>
 
 namespace sphinx::model {
@@ -46,7 +46,8 @@ double memory(const World<Dim>& world) {
 void printLayer(const loop::LayerFacts& layer, const Layer& source, int depth, std::string& out) {
     const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
     std::string dt;
-    for (const loop::LineFacts& estimate : layer.dt) dt += (dt.empty() ? "" : ", ") + estimate.label;
+    for (const loop::LineFacts& estimate : layer.dt)
+        dt += (dt.empty() ? "" : ", ") + estimate.label;
     if (source.dt) dt += (dt.empty() ? "" : ", ") + fmt::format("{:g}", *source.dt);
     out += fmt::format("{}{} (dt: {})\n", indent, layer.name, dt);
     for (std::size_t k = 0; k < layer.steps.size(); ++k) {

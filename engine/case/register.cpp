@@ -4,6 +4,7 @@
 
 #include "case/read.h"
 #include "dynamics/register.h"
+#include "io/register.h"
 #include "materials/register.h"
 
 namespace sphinx {
@@ -12,6 +13,7 @@ void registerAll(input::Registry& registry) {
     model::registerCaseLanguage(registry);
     registerMaterials(registry);
     registerDynamics(registry);
+    io::registerOutputs(registry);
 }
 
 }  // namespace sphinx

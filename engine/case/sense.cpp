@@ -84,10 +84,11 @@ class SenseCheck {
         for (const Component& material : block_.materials) {
             if (material.name != b.material.text) continue;
             if (fluid != material.declaration->hasTrait("fluid"))
-                diagnostics_.error(b.material.place, "material is '" + material.name + "', a " +
-                                                         material.declaration->name() + ", but '" +
-                                                         body.name + "' is a " +
-                                                         (fluid ? "fluid" : "solid"));
+                diagnostics_.error(b.material.place,
+                                   "'" + body.name + "' is a " + (fluid ? "fluid" : "solid") +
+                                       ", but the material '" + material.name + "' (" +
+                                       material.declaration->name() + ") is for " +
+                                       (fluid ? "solids" : "fluids"));
         }
     }
 

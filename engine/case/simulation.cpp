@@ -48,10 +48,11 @@ class Simulation {
 
     int run(const io::Provenance& provenance) {
         loop::Plan plan = buildPlan<Dim>(model_, placed_.facts, *world_, *methods_);
-        OutputTools<Dim> tools{
-            model_,          *world_,         *relations_,
-            folder_,         provenance,      [this] { return runner_->progress(); },
-            restartHeader(), restartBodies(), [this](Archive& archive) { transfer(archive); }};
+        OutputTools<Dim> tools{model_,          *world_,
+                               *relations_,     folder_,
+                               provenance,      [this] { return runner_->progress(); },
+                               methods_->all(), restartHeader(),
+                               restartBodies(), [this](Archive& archive) { transfer(archive); }};
         Outputs<Dim> outputs(tools, options_.outputs);
         outputs.addTo(plan);
         runner_ = std::make_unique<loop::Runner>(std::move(plan));
@@ -116,7 +117,11 @@ class Simulation {
     }
 
     std::vector<io::RestartBody<Dim>> restartBodies() const {
-        const auto live = loop::liveFields(placed_.facts);
+        auto live = loop::liveFields(placed_.facts);
+        // Start lines are not run again: what only outputs read of them is kept as well.
+        for (const loop::LineFacts& line : placed_.facts.start)
+            for (const FieldAccess& access : line.accesses)
+                if (access.mode != AccessMode::read) live[access.body].insert(access.field);
         std::vector<io::RestartBody<Dim>> bodies;
         for (const auto& body : world_->bodies) {
             if (body->kind == BodyKind::observer) continue;
