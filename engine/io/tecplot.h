@@ -18,7 +18,8 @@ struct TecplotParameters {
 /// Frames as Tecplot ASCII: one BODY_NNNNNN.dat a frame, with one zone in POINT format that carries
 /// SOLUTIONTIME and the STRANDID of the body, so that Tecplot joins the files to a time series.
 /// One file a frame, because a zone cut short by a crash would spoil all zones in its file.
-/// A body without particles has no frame: the format has no empty zones.
+/// A body without particles has no frame: the format has no empty zones. (ParaView reads the other
+/// formats better: its Tecplot reader takes no one-dimensional zones.)
 template <int Dim>
 class TecplotOutput final : public Output {
  public:

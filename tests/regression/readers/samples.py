@@ -70,4 +70,6 @@ def same(found, expected, single):
     return found.dtype == expected.dtype and np.array_equal(found, expected)
 
 
-CASES = [("frames_2d", 2, False), ("frames_3d", 3, False), ("frames_single", 3, True)]
+# frames_resumed: interrupted after frame 1 and resumed; what was written later must be gone.
+CASES = [("frames_2d", 2, False), ("frames_3d", 3, False), ("frames_single", 3, True),
+         ("frames_resumed", 2, False)]

@@ -42,6 +42,21 @@ class Hdf5Files(unittest.TestCase):
             self.assertEqual(wall["frame_000000/position"], wall["frame_000002/position"])
             self.assertNotEqual(wall["frame_000000/position"], wall["frame_000003/position"])
 
+    def test_series(self):
+        with h5py.File(samples.folder() / "series" / "results.h5") as file:
+            probe = file["series/probe"]
+            row = np.arange(2500)
+            time = 0.1 * row
+            gap = np.where(row == 2, np.nan, 0)
+            self.assertTrue(np.array_equal(probe["time"][:], time))
+            self.assertTrue(np.array_equal(probe["pressure"][:], time / 3 + gap, equal_nan=True))
+            expected = np.stack([time / 3 + 1 + gap, time / 3 + 2 + gap], axis=1)
+            self.assertTrue(np.array_equal(probe["velocity"][:], expected, equal_nan=True))
+            attributes = probe["velocity"].attrs
+            self.assertEqual(attributes["unit"].decode(), "m/s")
+            self.assertEqual(attributes["description"].decode(), "velocity at the probe")
+            self.assertEqual([label.decode() for label in attributes["labels"]], ["x", "y"])
+
 
 if __name__ == "__main__":
     unittest.main()
