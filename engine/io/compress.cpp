@@ -37,8 +37,22 @@ double entropy(std::string_view piece) {
     return std::log2(size) - sum / size;
 }
 
-/// Deflating pays only if it saves at least a tenth.
-int levelFor(std::string_view piece) { return entropy(piece) > 7.2 ? 0 : 1; }
+/// How to deflate a piece. Measured on positions and velocities of particles: above 7.2 bits a byte
+/// (64-bit numbers without pattern) nothing saves a tenth; between 5 and 7.2 (the same with zeros
+/// in between, 32-bit numbers) runs alone save almost as much as a search for repetitions and take
+/// half of the time; below (ids, lattices, constants) the search pays.
+struct Method {
+    int level = 1;
+    int strategy = Z_DEFAULT_STRATEGY;
+    bool operator==(const Method&) const = default;
+};
+
+Method methodFor(std::string_view piece) {
+    const double bits = entropy(piece);
+    if (bits > 7.2) return {0, Z_DEFAULT_STRATEGY};
+    if (bits > 5) return {1, Z_RLE};
+    return {};
+}
 
 class Deflater {
  public:
@@ -52,11 +66,11 @@ class Deflater {
     Deflater(const Deflater&) = delete;
     Deflater& operator=(const Deflater&) = delete;
 
-    void add(std::string_view piece, int level) {
+    void add(std::string_view piece, Method method) {
         stream_.avail_out = room();
-        if (level != level_) {
-            deflateParams(&stream_, level, Z_DEFAULT_STRATEGY);
-            level_ = level;
+        if (method != method_) {
+            deflateParams(&stream_, method.level, method.strategy);
+            method_ = method;
         }
         stream_.next_in = bytePointer(piece.data());
         stream_.avail_in = static_cast<uInt>(piece.size());
@@ -90,7 +104,7 @@ class Deflater {
 
     z_stream stream_{};
     std::string out_;
-    int level_ = 1;
+    Method method_;
 };
 
 }  // namespace
@@ -99,7 +113,7 @@ std::string compress(std::string_view bytes) {
     Deflater deflater(bytes.size());
     while (!bytes.empty()) {
         const std::string_view piece = bytes.substr(0, piece_size);
-        deflater.add(piece, levelFor(piece));
+        deflater.add(piece, methodFor(piece));
         bytes.remove_prefix(piece.size());
     }
     return deflater.finish();
