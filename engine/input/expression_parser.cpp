@@ -64,6 +64,12 @@ std::size_t endOfNumber(std::string_view text, std::size_t k) {
     return k;
 }
 
+std::string wordAt(std::string_view text, std::size_t begin) {
+    std::size_t end = begin;
+    while (end < text.size() && (isWord(text[end]) || text[end] == '.')) ++end;
+    return std::string(text.substr(begin, end - begin));
+}
+
 std::string explain(const mu::Parser::exception_type& e) {
     switch (e.GetCode()) {
         case mu::ecUNEXPECTED_EOF: return "the expression ends too early";
@@ -87,6 +93,7 @@ std::vector<Identifier> scanExpression(std::string_view text,
                                        std::optional<ExpressionError>& error) {
     std::vector<Identifier> identifiers;
     std::vector<std::size_t> open;
+    bool operand = false;  // a number or name stands before, with nothing but blanks between
     const auto fail = [&](std::size_t position, std::string message) {
         error = ExpressionError{position, std::move(message)};
         return identifiers;
@@ -96,8 +103,14 @@ std::vector<Identifier> scanExpression(std::string_view text,
                            " characters");
     for (std::size_t k = 0; k < text.size();) {
         const char c = text[k];
+        if ((isDigit(c) || isWord(c)) && operand)
+            return fail(k, "an operator is missing before '" + wordAt(text, k) + "'");
+        operand = isDigit(c) || c == '.' || isWord(c) || (operand && c == ' ');
         if (isDigit(c) || c == '.') {
+            const std::size_t begin = k;
             k = endOfNumber(text, k);
+            if (k < text.size() && isWord(text[k]))
+                return fail(begin, "'" + wordAt(text, begin) + "' is not a number");
             continue;
         }
         if (isWord(c)) {

@@ -17,14 +17,21 @@ std::vector<std::string> acceptedKeys(const std::vector<Part>& parts,
     return keys;
 }
 
-bool readOne(const Node& node, const Place& place, Reader& reader, const Part& part) {
+/// `unknown` are keys of the node that nothing accepts: a required key that one of them is nearly
+/// is not missed a second time.
+bool readOne(const Node& node, const Place& place, Reader& reader, const Part& part,
+             const std::vector<std::string>& unknown) {
     bool good = true;
+    const auto misspelt = [&](const std::string& name) {
+        return std::any_of(unknown.begin(), unknown.end(),
+                           [&](const std::string& key) { return isNear(key, name); });
+    };
     for (const Parameter& p : part.declaration->parameters()) {
         const auto entry =
             std::find_if(node.entries.begin(), node.entries.end(),
                          [&](const Node::Entry& entry) { return entry.key == p.name; });
         if (entry == node.entries.end()) {
-            if (p.required)
+            if (p.required && !misspelt(p.name))
                 good = reader.error(place, reader.label + " lacks '" + p.name + "': " + p.doc);
             continue;
         }
@@ -79,11 +86,14 @@ bool readParameters(const Node& node, const Place& place, Reader& reader,
                                       " but must be a map {key: value, ...}");
     bool good = true;
     const std::vector<std::string> accepted = acceptedKeys(parts, other_keys);
-    for (const Node::Entry& entry : node.entries)
-        if (std::find(accepted.begin(), accepted.end(), entry.key) == accepted.end())
-            good = reader.error(
-                entry.place, "unknown key '" + entry.key + "'" + didYouMean(entry.key, accepted));
-    for (const Part& part : parts) good = readOne(node, place, reader, part) && good;
+    std::vector<std::string> unknown;
+    for (const Node::Entry& entry : node.entries) {
+        if (std::find(accepted.begin(), accepted.end(), entry.key) != accepted.end()) continue;
+        unknown.push_back(entry.key);
+        good = reader.error(entry.place,
+                            "unknown key '" + entry.key + "'" + didYouMean(entry.key, accepted));
+    }
+    for (const Part& part : parts) good = readOne(node, place, reader, part, unknown) && good;
     for (const Part& part : parts)
         if (good) good = checkRules(node, place, reader, part);
     return good;

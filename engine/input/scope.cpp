@@ -123,9 +123,7 @@ struct Scope::Evaluation {
         const auto unit = parseUnit(quantity.unit);
         if (!number) return fail(node.place, label + " is '" + node.text + "', not a number");
         if (!unit)
-            return fail(place, "'" + unit_text + "' is not a unit" + suggestUnit(quantity.unit) +
-                                   " (a quantity is number, blank, unit; expressions contain no "
-                                   "units)");
+            return fail(place, "'" + unit_text + "' is not a unit" + suggestUnit(quantity.unit));
         if (!quantity.blank)
             return fail(place, "a blank is missing between number and unit: '" +
                                    std::string(quantity.number) + " " + unit_text + "'");
@@ -142,6 +140,16 @@ struct Scope::Evaluation {
     }
 
     std::optional<FieldExpression> expression(const Node& node) {
+        const auto blank = node.text.rfind(' ');
+        const std::string_view tail = std::string_view(node.text).substr(blank + 1);
+        if (blank != std::string::npos && blank > 0 && !tail.empty() && isLetter(tail[0]) &&
+            (isDigit(node.text[blank - 1]) || isLetter(node.text[blank - 1]) ||
+             node.text[blank - 1] == ')') &&
+            parseUnit(tail))
+            return fail(within(node, blank + 1),
+                        label +
+                            ": an expression contains no units; a quantity is a number, a "
+                            "blank and a unit");
         std::optional<ExpressionError> error;
         const std::vector<Identifier> identifiers = scanExpression(node.text, error);
         if (error) return fail(within(node, error->position), label + ": " + error->message);

@@ -24,23 +24,26 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+bool isNear(std::string_view wrong, std::string_view name) {
+    const std::size_t most = 1 + wrong.size() / 5;
+    const std::size_t difference =
+        name.size() > wrong.size() ? name.size() - wrong.size() : wrong.size() - name.size();
+    if (difference > most) return false;
+    const std::size_t distance = editDistance(wrong, name);
+    return distance <= most && distance < wrong.size();
+}
+
 std::string didYouMean(std::string_view wrong, const std::vector<std::string>& known) {
     if (known.empty()) return "";
     const std::string* best = nullptr;
-    std::size_t best_distance = 1 + wrong.size() / 5;
     for (const std::string& name : known) {
         // "acoustic_time_step" without its family is a near miss too.
         if (name.size() > wrong.size() && name.ends_with(wrong) &&
             name[name.size() - wrong.size() - 1] == '.')
             return "; did you mean '" + name + "'?";
-        const std::size_t difference =
-            name.size() > wrong.size() ? name.size() - wrong.size() : wrong.size() - name.size();
-        if (difference > best_distance) continue;
-        const std::size_t distance = editDistance(wrong, name);
-        if (distance < best_distance || (distance == best_distance && !best)) {
+        if (isNear(wrong, name) &&
+            (!best || editDistance(wrong, name) < editDistance(wrong, *best)))
             best = &name;
-            best_distance = distance;
-        }
     }
     if (best) return "; did you mean '" + *best + "'?";
     return "; known: " + joined(known);

@@ -11,8 +11,11 @@ namespace sphinx::input {
 /// Edit distance with insertion, deletion, replacement and exchange of neighbors.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// End of a message about a wrong name: "; did you mean 'wall'?" when one is near (distance at most
-/// 1 + length/5), else "; known: gate, wall, water"; empty when there is nothing to choose from.
+/// True when `name` may be what `wrong` was meant to be: distance at most 1 + length/5.
+bool isNear(std::string_view wrong, std::string_view name);
+
+/// End of a message about a wrong name: "; did you mean 'wall'?" when one is near, else "; known:
+/// gate, wall, water"; empty when there is nothing to choose from.
 std::string didYouMean(std::string_view wrong, const std::vector<std::string>& known);
 
 /// "a, b or c"

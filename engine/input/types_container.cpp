@@ -1,18 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "input/reader.h"
-#include "input/schema.h"
+#include "input/type_support.h"
 
 #include <fmt/format.h>
 
 namespace sphinx::input::detail {
 namespace {
-
-Place placeOf(const Node* source) { return source ? source->place : Place{}; }
-
-const Node* itemOf(const Node* source, std::size_t k) {
-    return source && source->isList() && k < source->items.size() ? &source->items[k] : source;
-}
 
 class ListType final : public TypeBase {
  public:

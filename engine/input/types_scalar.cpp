@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/decimal.h"
 #include "input/reader.h"
-#include "input/schema.h"
 #include "input/suggest.h"
+#include "input/type_support.h"
 
 #include <fmt/format.h>
 #include <cmath>
@@ -11,8 +11,6 @@
 
 namespace sphinx::input {
 namespace {
-
-Place placeOf(const Node* source) { return source ? source->place : Place{}; }
 
 std::string bound(double value) { return fmt::format("{}", value); }
 
@@ -33,8 +31,7 @@ class NumberType final : public TypeBase {
         return Node::number(*static_cast<const double*>(value)).at(placeOf(source));
     }
     Node schema(SchemaBuilder&) const override {
-        Node schema = Node::map();
-        schema.set("type", Node::list({Node::string("number"), Node::string("string")}));
+        Node schema = numberSchema();
         rule_.addRange(schema);
         return schema;
     }
@@ -92,6 +89,7 @@ class IntegerType final : public TypeBase {
 
  private:
     std::string rangeText() const {
+        if (lower_ && upper_ && *lower_ == *upper_) return fmt::format("{}", *lower_);
         if (lower_ && upper_) return fmt::format("from {} to {}", *lower_, *upper_);
         if (lower_) return fmt::format("at least {}", *lower_);
         return upper_ ? fmt::format("at most {}", *upper_) : "";
@@ -173,8 +171,7 @@ class WallSecondsType final : public TypeBase {
             .at(placeOf(source));
     }
     Node schema(SchemaBuilder&) const override {
-        Node schema = Node::map();
-        schema.set("type", Node::list({Node::string("number"), Node::string("string")}));
+        Node schema = numberSchema();
         schema.set("exclusiveMinimum", Node::integer(0));
         return schema;
     }

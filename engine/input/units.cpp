@@ -4,6 +4,7 @@
 
 #include "input/suggest.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -138,7 +139,15 @@ std::optional<Unit> parseUnit(std::string_view text) {
 std::string suggestUnit(std::string_view text) {
     std::vector<std::string> names;
     for (const NamedUnit& named : named_units) names.emplace_back(named.name);
-    return didYouMean(text, names);
+    // The first factor that is no unit is the one to talk about.
+    for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t end = begin;
+        while (end < text.size() && isLetter(text[end])) ++end;
+        const std::string_view factor = text.substr(begin, end - begin);
+        if (!factor.empty() && !findUnit(factor)) return didYouMean(factor, names);
+        begin = std::max(end, begin + 1);
+    }
+    return "";
 }
 
 std::string unitNames() {

@@ -5,6 +5,7 @@
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <unordered_map>
@@ -38,6 +39,22 @@ class TreeBuilder final : public YAML::EventHandler {
     Place place(const YAML::Mark& mark) const {
         return {source_, mark.line + 1 + offset_.line,
                 mark.column + 1 + (mark.line == 0 ? offset_.column : 0)};
+    }
+
+    Place place(std::size_t position) const {
+        const std::string_view before = text_.substr(0, position);
+        const auto lines = std::count(before.begin(), before.end(), '\n');
+        const std::size_t begin = lines == 0 ? 0 : before.rfind('\n') + 1;
+        return {source_, static_cast<int>(lines) + 1 + offset_.line,
+                static_cast<int>(position - begin) + 1 + (lines == 0 ? offset_.column : 0)};
+    }
+    /// Byte of the innermost bracket that is still open.
+    std::optional<std::size_t> openBracket() const {
+        for (auto frame = frames_.rbegin(); frame != frames_.rend(); ++frame)
+            if (frame->node.flow && frame->bracket < text_.size() &&
+                (text_[frame->bracket] == '[' || text_[frame->bracket] == '{'))
+                return frame->bracket;
+        return std::nullopt;
     }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
@@ -91,7 +108,8 @@ class TreeBuilder final : public YAML::EventHandler {
         Node node;
         YAML::anchor_t anchor = YAML::NullAnchor;
         std::size_t size_before = 0;
-        bool is_key = false;  // a list or map where a key should be: dropped
+        std::size_t bracket = 0;  // byte where it opens
+        bool is_key = false;      // a list or map where a key should be: dropped
         bool has_key = false;
         bool keep = true;  // false: the value of a duplicate key is dropped
         std::string key;
@@ -131,6 +149,7 @@ class TreeBuilder final : public YAML::EventHandler {
         frame.node.flow = style == YAML::EmitterStyle::Flow;
         frame.anchor = anchor;
         frame.size_before = values_;
+        frame.bracket = static_cast<std::size_t>(mark.pos);
     }
     void close() {
         Frame frame = std::move(frames_.back());
@@ -217,7 +236,9 @@ Node readYaml(const std::shared_ptr<const Source>& source, std::string_view text
     } catch (const Refused& refused) {
         diagnostics.error(refused.place, refused.message);
     } catch (const YAML::ParserException& e) {
-        diagnostics.error(builder.place(e.mark), explainSyntaxError(text, e.mark.pos, e.msg));
+        const auto [position, message] = explainSyntaxError(
+            text, static_cast<std::size_t>(std::max(e.mark.pos, 0)), e.msg, builder.openBracket());
+        diagnostics.error(builder.place(position), message);
     }
     return std::move(builder.result);
 }

@@ -32,23 +32,25 @@ std::string_view wordAt(std::string_view text, std::size_t position) {
     return text.substr(position, std::min(end, text.size()) - position).substr(0, 60);
 }
 
-/// True when the line at that position, or the one before, starts like "key:value".
-bool blankMissing(std::string_view text, std::size_t position) {
-    std::size_t begin = text.rfind('\n', position > 0 ? position - 1 : 0);
+/// In the line at that position, or the one before: the start of "key:value" without a blank.
+std::optional<std::size_t> blankMissing(std::string_view text, std::size_t position) {
+    const auto lineStart = [&](std::size_t k) {
+        const auto end = k == 0 ? std::string_view::npos : text.rfind('\n', k - 1);
+        return end == std::string_view::npos ? 0 : end + 1;
+    };
+    std::size_t begin = lineStart(position);
     for (int lines = 0; lines < 2; ++lines) {
-        const std::size_t first = begin == std::string_view::npos ? 0 : begin + 1;
-        const std::string_view line =
-            text.substr(first, std::min(text.find('\n', first), text.size()) - first);
+        const std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
         const std::size_t word = line.find_first_not_of(" -");
         const std::size_t colon = line.find(':');
-        if (word != std::string_view::npos && colon != std::string_view::npos &&
+        if (word != std::string_view::npos && colon != std::string_view::npos && colon > word &&
             colon + 1 < line.size() && line[colon + 1] != ' ' &&
             line.substr(word, colon - word).find_first_of(" '\"{[#") == std::string_view::npos)
-            return true;
-        if (begin == std::string_view::npos || begin == 0) return false;
-        begin = text.rfind('\n', begin - 1);
+            return begin + word;
+        if (begin == 0) break;
+        begin = lineStart(begin - 1);
     }
-    return false;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -91,35 +93,47 @@ bool checkText(const std::shared_ptr<const Source>& source, std::string_view tex
     return true;
 }
 
-std::string explainSyntaxError(std::string_view text, std::size_t position,
-                               const std::string& message) {
+Explanation explainSyntaxError(std::string_view text, std::size_t position,
+                               const std::string& message, std::optional<std::size_t> open) {
     position = std::min(position, text.size());
     const std::string word(wordAt(text, position));
+    const std::string first(text.substr(position, 1));
+    const auto here = [&](std::string explained) {
+        return Explanation{position, std::move(explained)};
+    };
     if (message == "the referenced anchor is not defined" || message == "alias not found after *")
-        return "'" + word +
-               "' is an alias of YAML and nothing defines it; put an expression that starts with * "
-               "into quotes";
-    if (message == "illegal map value")
-        return blankMissing(text, position)
-                   ? "unexpected colon; is a blank missing after a colon (key: value) here or in "
-                     "the line above?"
-                   : "unexpected colon; put a value that contains ': ' or '? :' into quotes, and "
-                     "check the indentation";
-    if (message.starts_with("end of map flow"))
-        return "expected a comma or } to end the {...} before this";
-    if (message.starts_with("end of sequence flow"))
-        return text.substr(0, position).find_last_of('?') != std::string_view::npos &&
-                       text.substr(0, position).find_last_of('?') >
-                           text.substr(0, position).find_last_of('[')
-                   ? "put an expression with '? :' into quotes"
-                   : "expected a comma or ] to end the [...] before this";
-    if (message == "illegal flow end") return "nothing was opened that '" + word + "' could close";
+        return here("'" + word +
+                    "' is an alias of YAML and nothing defines it; put an expression that starts "
+                    "with * into quotes");
+    if (message == "illegal map value") {
+        if (const auto slip = blankMissing(text, position)) {
+            const std::string pair(text.substr(*slip, text.find_first_of("\r\n", *slip) - *slip));
+            const auto colon = pair.find(':');
+            return {*slip, "a blank is missing after the colon: '" + pair.substr(0, colon) + ": " +
+                               pair.substr(colon + 1) + "'"};
+        }
+        return here(
+            "unexpected colon; put a value that contains ': ' or '? :' into quotes, and "
+            "check the indentation");
+    }
+    if (message.starts_with("end of map flow") || message.starts_with("end of sequence flow")) {
+        if (first == "?" || (first == ":" && text.substr(0, position).ends_with('?')))
+            return here("put an expression with '? :' into quotes");
+        const char bracket = message.starts_with("end of map") ? '}' : ']';
+        const bool other_line =
+            open && text.substr(*open, position - *open).find('\n') != std::string_view::npos;
+        if (open && (other_line || position + 1 >= text.size() || position <= *open))
+            return {*open, "'" + std::string(text.substr(*open, 1)) + "' is never closed"};
+        return here(std::string("expected a comma or ") + bracket + " before this");
+    }
+    if (message == "illegal flow end")
+        return here("nothing was opened that '" + first + "' could close");
     if (message.starts_with("end of map not found") ||
         message.starts_with("end of sequence not found"))
-        return "'" + word + "' does not belong here; check indentation and quotes";
+        return here("'" + word + "' does not belong here; check indentation and quotes");
     if (message == "unknown token")
-        return "a value cannot start with '" + word.substr(0, 1) + "'; put it into quotes";
-    return message;
+        return here("a value cannot start with '" + first + "'; put it into quotes");
+    return here(message);
 }
 
 void findSplitExpressions(const Node& node, Diagnostics& diagnostics) {

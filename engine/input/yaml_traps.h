@@ -6,6 +6,8 @@
 #include "input/node.h"
 #include "input/yaml.h"
 
+#include <optional>
+
 namespace sphinx::input {
 
 /// Refuses what is no text for a person: bytes that are not UTF-8, control characters, tabs as
@@ -13,9 +15,14 @@ namespace sphinx::input {
 bool checkText(const std::shared_ptr<const Source>& source, std::string_view text, Offset offset,
                Diagnostics& diagnostics);
 
-/// What a syntax error of yaml-cpp at that byte means to the author of a case.
-std::string explainSyntaxError(std::string_view text, std::size_t position,
-                               const std::string& message);
+/// What a syntax error of yaml-cpp at that byte means to the author of a case, and the byte that it
+/// is about. `open` is the bracket of the innermost [...] or {...} that is not closed yet.
+struct Explanation {
+    std::size_t position;
+    std::string message;
+};
+Explanation explainSyntaxError(std::string_view text, std::size_t position,
+                               const std::string& message, std::optional<std::size_t> open);
 
 /// Reports in a finished [...] or {...}: expressions cut by a comma, "time:0.1" without a blank.
 void findSplitExpressions(const Node& node, Diagnostics& diagnostics);

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""Every wrong case here must end with exit code 2 and exactly the expected messages.
+
+usage: run_bad_cases.py SPHINX [NAME...]
+
+bad_NAME.yaml is checked and its messages are compared with bad_NAME.expected. A first line
+"# arguments: ..." adds arguments. Cases too large to keep are made here.
+"""
+import difflib
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+SECONDS = 5  # none of them may take long, however hostile
+
+GENERATED = {
+    "generated_long_line": lambda: "title: " + "x" * 10_000_000 + "\n",
+    "generated_long_line_of_brackets": lambda: "title: " + "[" * 90_000 + "\n",
+    "generated_large_file": lambda: "# nothing but comments\n" * 400_000,
+    "generated_deep_lists": lambda: "title: " + "[" * 1000 + "]" * 1000 + "\n",
+    "generated_deep_maps": lambda: "title: " + "{a: " * 1000 + "1" + "}" * 1000 + "\n",
+    "generated_deep_blocks": lambda: "".join(" " * k + f"k{k}:\n" for k in range(200)),
+    "generated_many_keys": lambda: "".join(f"key_{k}: 1\n" for k in range(20_000)),
+    "generated_long_expression": lambda: "variables: {a: " + "1+" * 5000 + "1}\n",
+    "generated_deep_parentheses": lambda: "variables: {a: " + "(" * 500 + "1" + ")" * 500 + "}\n",
+    "generated_long_dependency": lambda: "variables:\n  a0: 1\n"
+    + "".join(f"  a{k}: a{k - 1} + 1\n" for k in range(1, 2000)),
+}
+
+
+def arguments(path):
+    first = path.read_bytes().split(b"\n", 1)[0].decode(errors="replace")
+    prefix = "# arguments: "
+    return first[len(prefix):].split() if first.startswith(prefix) else []
+
+
+def run(sphinx, path):
+    command = [sphinx, "check", path.name, *arguments(path)]
+    done = subprocess.run(command, cwd=path.parent, capture_output=True, text=True, timeout=SECONDS)
+    return done.returncode, done.stderr
+
+
+def check(sphinx, path):
+    expected = (FOLDER / path.name).with_suffix(".expected").read_text()
+    try:
+        code, said = run(sphinx, path)
+    except subprocess.TimeoutExpired:
+        return f"{path.name}: no answer within {SECONDS} s"
+    if code != 2:
+        return f"{path.name}: exit code {code} instead of 2\n{said}"
+    if said != expected:
+        lines = difflib.unified_diff(expected.splitlines(True), said.splitlines(True), "expected", "said")
+        return f"{path.name}:\n" + "".join(lines)
+    return ""
+
+
+def main():
+    sphinx = str(pathlib.Path(sys.argv[1]).resolve())
+    wanted = sys.argv[2:]
+    with tempfile.TemporaryDirectory() as folder:
+        for name, make in GENERATED.items():
+            pathlib.Path(folder, f"bad_{name}.yaml").write_text(make())
+        paths = [*sorted(FOLDER.glob("bad_*.yaml")), *sorted(pathlib.Path(folder).iterdir())]
+        if wanted:
+            paths = [path for path in paths if path.stem[len("bad_"):] in wanted]
+        failures = [failure for path in paths if (failure := check(sphinx, path))]
+    print("\n".join(failures))
+    print(f"{len(paths) - len(failures)} of {len(paths)} wrong cases are answered as expected")
+    sys.exit(1 if failures or not paths else 0)
+
+
+if __name__ == "__main__":
+    main()
