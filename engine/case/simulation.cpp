@@ -8,6 +8,7 @@
 #include "case/health.h"
 #include "case/physics_text.h"
 #include "case/provenance.h"
+#include "case/restart_fields.h"
 #include "case/show.h"
 #include "case/signals.h"
 #include "core/errors.h"
@@ -17,7 +18,6 @@
 #include "io/output_folder.h"
 #include "io/progress.h"
 #include "io/vtu.h"
-#include "loop/live_fields.h"
 #include "loop/runner.h"
 
 #include <fmt/format.h>
@@ -117,21 +117,16 @@ class Simulation {
     }
 
     std::vector<io::RestartBody<Dim>> restartBodies() const {
-        auto live = loop::liveFields(placed_.facts);
-        // Start lines are not run again: what only outputs read of them is kept as well.
-        for (const loop::LineFacts& line : placed_.facts.start)
-            for (const FieldAccess& access : line.accesses)
-                if (access.mode != AccessMode::read) live[access.body].insert(access.field);
+        auto kept = restartFields(placed_.facts);
         std::vector<io::RestartBody<Dim>> bodies;
         for (const auto& body : world_->bodies) {
             if (body->kind == BodyKind::observer) continue;
-            io::RestartBody<Dim> entry;
-            entry.body = body.get();
-            const auto found = live.find(body->name);
-            if (found != live.end())
-                for (const std::string& field : found->second)
-                    if (fields::find(field) && field != "id" && field != "position")
-                        entry.fields.push_back(field);
+            io::RestartBody<Dim> entry{body.get(), {}};
+            for (const std::string& name : kept[body->name]) {
+                // Initial values make their fields; a restart stands in for them.
+                body->particles.require(*fields::find(name));
+                entry.fields.push_back(name);
+            }
             bodies.push_back(entry);
         }
         return bodies;
