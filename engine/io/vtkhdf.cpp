@@ -5,6 +5,9 @@
 #include "io/results_file.h"
 #include "io/vtkhdf_layout.h"
 
+#include <bit>
+#include <sstream>
+
 namespace sphinx::io {
 
 using namespace hdf5;
@@ -18,8 +21,8 @@ class VtkHdfOutput<Dim>::Series {
           gatherer_(FieldLayout::padded, parameters.single_precision),
           body_(frames.body),
           path_(parameters.folder / (frames.body->name + ".vtkhdf")) {
-        members_.push_back({frames.body->particles.find(fields::position.name), 0, -1});
-        for (FieldBase* field : frameFields(frames)) members_.push_back({field, 0, -1});
+        members_.push_back({frames.body->particles.find(fields::position.name)});
+        for (FieldBase* field : frameFields(frames)) members_.push_back({field});
     }
 
     void write(const Clock& clock, std::int64_t frame) {
@@ -53,13 +56,38 @@ class VtkHdfOutput<Dim>::Series {
         }
         file_ = SafeFile::open(path_);
         commit(*file_, layout_->root(), true);
+        const VtkHdfStep& last = layout_->lastStep();
+        // The fingerprints are those of the last frame before the restart.
+        if (last.frame == frames - 1)
+            for (std::size_t m = 0; m < last.rows.size(); ++m)
+                if (members_[m].fingerprint_known) members_[m].row = last.rows[m];
+    }
+
+    const std::string& name() const { return body_->name; }
+
+    void transfer(Archive& archive) {
+        // A resumed run may write other fields, and an archive cannot be asked what it has.
+        std::string names;
+        for (const Member& member : members_)
+            names += std::string(member.field->info().name) + "\n";
+        archive.value("fields", names);
+        std::istringstream saved(names);
+        for (std::string name; std::getline(saved, name);)
+            for (Member& member : members_)
+                if (member.field->info().name == name) {
+                    auto bits = std::bit_cast<std::int64_t>(member.fingerprint);
+                    archive.value(name, bits);
+                    member.fingerprint = std::bit_cast<std::uint64_t>(bits);
+                    member.fingerprint_known = true;
+                }
     }
 
  private:
     struct Member {
         FieldBase* field;
-        std::uint64_t fingerprint;
-        std::int64_t row;  // where it was written last, -1: not by this process
+        std::uint64_t fingerprint = 0;
+        std::int64_t row = -1;           // where it was written last, -1: nowhere
+        bool fingerprint_known = false;  // from the run that this one goes on with
     };
 
     void create() {
@@ -108,6 +136,21 @@ template <int Dim>
 void VtkHdfOutput<Dim>::write(const Clock& clock) {
     for (auto& series : series_) series->write(clock, frames_);
     ++frames_;
+}
+
+template <int Dim>
+void VtkHdfOutput<Dim>::transfer(Archive& archive) {
+    archive.value("frames", frames_);
+    std::string names;
+    for (const auto& series : series_) names += series->name() + "\n";
+    archive.value("bodies", names);
+    std::istringstream saved(names);
+    for (std::string name; std::getline(saved, name);)
+        for (auto& series : series_)
+            if (series->name() == name) {
+                const Section section(archive, name);
+                series->transfer(archive);
+            }
 }
 
 template <int Dim>

@@ -30,7 +30,7 @@ class VtkHdfOutput final : public Output {
     ~VtkHdfOutput() override;
 
     void write(const Clock& clock) override;
-    void transfer(Archive& archive) override { archive.value("frames", frames_); }
+    void transfer(Archive& archive) override;
     /// If the fields of a body changed since its file was begun, the old file is kept as
     /// BODY.before_STEP.vtkhdf and a new one begun.
     void resume(const Clock& clock) override;

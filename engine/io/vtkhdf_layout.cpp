@@ -126,6 +126,7 @@ void VtkHdfLayout::addStep(const VtkHdfStep& step) {
     cell_offsets_->append({part.first_offset - step.part, none, none, none});
     connectivity_offsets_->append({part.first_cell, none, none, none});
     for (std::size_t a = 0; a < step.rows.size(); ++a) data_offsets_[a]->append({step.rows[a]});
+    last_step_ = step;
 }
 
 std::string VtkHdfLayout::arrayPlace(std::size_t array) const {

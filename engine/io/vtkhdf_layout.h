@@ -41,6 +41,8 @@ class VtkHdfLayout {
     /// Stores rows of an array; returns where they begin.
     std::int64_t append(SafeFile& file, std::size_t array, std::string_view rows);
     void addStep(const VtkHdfStep& step);
+    /// The step that was added or loaded last; frame -1 when there is none.
+    const VtkHdfStep& lastStep() const { return last_step_; }
 
     /// Takes over the steps of an existing file with frame numbers below `frames`; false if its
     /// arrays are others than this layout's. Throws FileError.
@@ -73,6 +75,7 @@ class VtkHdfLayout {
     std::shared_ptr<SmallArray> cell_offsets_, connectivity_offsets_;
     std::vector<std::shared_ptr<SmallArray>> data_offsets_;
     std::int64_t step_count_ = 0;
+    VtkHdfStep last_step_{0, -1, 0, {}};
 };
 
 }  // namespace sphinx::io::hdf5

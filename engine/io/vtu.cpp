@@ -9,6 +9,7 @@
 
 #include <bit>
 #include <cstring>
+#include <sstream>
 
 static_assert(std::endian::native == std::endian::little, "files are written as memory lies");
 
@@ -129,13 +130,25 @@ struct VtuOutput<Dim>::Series {
     VertexCells cells;
     std::vector<PvdEntry> entries;
     std::uint64_t last_fingerprint = 0;
-    std::string last_file;  // written by this process; empty: none yet
+    std::string last_file;  // empty: none yet
 
-    std::uint64_t fingerprint() const {
-        std::uint64_t sum = fieldFingerprint(*position, body->size());
-        for (FieldBase* field : fields)
-            sum = std::rotl(sum, 7) * 31 + fieldFingerprint(*field, body->size());
+    /// Of what a frame would hold: a resumed run may write other fields in another precision.
+    std::uint64_t fingerprint(bool single_precision) const {
+        std::string names = single_precision ? "single" : "double";
+        for (const FieldBase* field : fields) names += " " + std::string(field->info().name);
+        std::uint64_t sum = io::fingerprint(names);
+        const auto add = [&](FieldBase& field) {
+            sum = std::rotl(sum, 7) * 31 + fieldFingerprint(field, body->size());
+        };
+        add(*position);
+        for (FieldBase* field : fields) add(*field);
         return sum;
+    }
+    void transfer(Archive& archive) {
+        auto bits = std::bit_cast<std::int64_t>(last_fingerprint);
+        archive.value("file", last_file);
+        archive.value("fingerprint", bits);
+        last_fingerprint = std::bit_cast<std::uint64_t>(bits);
     }
 };
 
@@ -158,7 +171,7 @@ VtuOutput<Dim>::~VtuOutput() = default;
 template <int Dim>
 void VtuOutput<Dim>::write(const Clock& clock) {
     for (auto& series : series_) {
-        const std::uint64_t now = series->fingerprint();
+        const std::uint64_t now = series->fingerprint(parameters_.single_precision);
         if (series->last_file.empty() || now != series->last_fingerprint) {
             const std::string name = frameName(series->body->name, frames_, ".vtu");
             writeFrame(*series, parameters_.folder / name, clock.time);
@@ -217,6 +230,22 @@ void VtuOutput<Dim>::writeFrame(Series& series, const Path& path, double time) {
 }
 
 template <int Dim>
+void VtuOutput<Dim>::transfer(Archive& archive) {
+    archive.value("frames", frames_);
+    // A resumed run may write other bodies, and an archive cannot be asked what it has.
+    std::string names;
+    for (const auto& series : series_) names += series->body->name + "\n";
+    archive.value("bodies", names);
+    std::istringstream saved(names);
+    for (std::string name; std::getline(saved, name);)
+        for (auto& series : series_)
+            if (series->body->name == name) {
+                const Section section(archive, name);
+                series->transfer(archive);
+            }
+}
+
+template <int Dim>
 void VtuOutput<Dim>::resume(const Clock&) {
     for (auto& series : series_) {
         const std::string& name = series->body->name;
@@ -227,6 +256,9 @@ void VtuOutput<Dim>::resume(const Clock&) {
         if (std::erase_if(series->entries, beyond) > 0)
             writePvd(list, series->entries, parameters_.provenance);
         removeFramesFrom(parameters_.folder, name, ".vtu", frames_);
+        // The results of a restart may begin in a folder of their own.
+        if (!std::filesystem::exists(parameters_.folder / series->last_file))
+            series->last_file.clear();
     }
 }
 

@@ -31,7 +31,7 @@ class VtuOutput final : public Output {
     ~VtuOutput() override;
 
     void write(const Clock& clock) override;
-    void transfer(Archive& archive) override { archive.value("frames", frames_); }
+    void transfer(Archive& archive) override;
     void resume(const Clock& clock) override;
 
  private:
