@@ -25,7 +25,8 @@ def folder():
     if _folder is None:
         _folder = tempfile.TemporaryDirectory()
         environment = dict(os.environ, SPHINX_SAMPLES=_folder.name)
-        subprocess.run([WRITER, "[.samples]"], env=environment, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([WRITER, "[.samples]"], env=environment, check=True,
+                       stdout=subprocess.DEVNULL)
     return pathlib.Path(_folder.name)
 
 

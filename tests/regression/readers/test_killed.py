@@ -34,7 +34,8 @@ class KilledWriter(unittest.TestCase):
 
     def kill_writer(self, name, seconds):
         environment = dict(os.environ, SPHINX_SAMPLES=name)
-        writer = subprocess.Popen([samples.WRITER, "[.endless]"], env=environment, stdout=subprocess.DEVNULL)
+        writer = subprocess.Popen([samples.WRITER, "[.endless]"], env=environment,
+                                  stdout=subprocess.DEVNULL)
         while not (pathlib.Path(name) / "results.h5").exists():
             self.assertIsNone(writer.poll())
             time.sleep(0.01)
@@ -60,7 +61,8 @@ class KilledWriter(unittest.TestCase):
         errors = []
         reader.AddObserver("ErrorEvent", lambda *event: errors.append(event))
         reader.UpdateInformation()
-        steps = reader.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+        information = reader.GetOutputInformation(0)
+        steps = information.Get(vtk.vtkStreamingDemandDrivenPipeline.TIME_STEPS())
         for step in (steps[0], steps[-1]):
             reader.UpdateTimeStep(step)
             self.assertGreaterEqual(reader.GetOutputDataObject(0).GetNumberOfPoints(), 1499)

@@ -15,7 +15,8 @@ import samples
 class VtkFiles(unittest.TestCase):
     def check(self, points, body, frame, dimension, single, where):
         position, arrays = samples.arrays(body, frame, dimension, padded=True)
-        self.assertTrue(samples.same(vtk_to_numpy(points.GetPoints().GetData()), position, single), where)
+        found = vtk_to_numpy(points.GetPoints().GetData())
+        self.assertTrue(samples.same(found, position, single), where)
         data = points.GetPointData()
         names = [data.GetArrayName(k) for k in range(data.GetNumberOfArrays())]
         self.assertEqual(sorted(names), sorted(arrays), where)
@@ -25,8 +26,10 @@ class VtkFiles(unittest.TestCase):
 
     def check_cells(self, points, cells, where):
         n = points.GetNumberOfPoints()
-        self.assertTrue(np.array_equal(vtk_to_numpy(cells.GetConnectivityArray()), np.arange(n)), where)
-        self.assertTrue(np.array_equal(vtk_to_numpy(cells.GetOffsetsArray()), np.arange(n + 1)), where)
+        connectivity = vtk_to_numpy(cells.GetConnectivityArray())
+        offsets = vtk_to_numpy(cells.GetOffsetsArray())
+        self.assertTrue(np.array_equal(connectivity, np.arange(n)), where)
+        self.assertTrue(np.array_equal(offsets, np.arange(n + 1)), where)
 
     def read_vtu(self, path):
         reader = vtk.vtkXMLUnstructuredGridReader()
@@ -41,7 +44,8 @@ class VtkFiles(unittest.TestCase):
         for name, dimension, single in samples.CASES:
             folder = samples.folder() / name
             for body in ("water", "wall"):
-                entries = xml.etree.ElementTree.parse(folder / f"{body}.pvd").findall("./Collection/DataSet")
+                collection = xml.etree.ElementTree.parse(folder / f"{body}.pvd")
+                entries = collection.findall("./Collection/DataSet")
                 self.assertEqual([float(e.get("timestep")) for e in entries],
                                  [samples.time(f) for f in range(samples.FRAMES)])
                 for frame, entry in enumerate(entries):
