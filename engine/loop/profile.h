@@ -26,6 +26,8 @@ struct ProfileLine {
 
 /// Cost of this process's part of a run, in the shape of its loop.
 struct Profile {
+    double time = 0;            ///< where the run stands, case units
+    bool finished = false;      ///< the end time was reached
     double loop_seconds = 0;    ///< outermost steps and the checks after them, without outputs
     double start_seconds = 0;   ///< start lines
     double output_seconds = 0;  ///< writing outputs
@@ -45,8 +47,9 @@ void setShares(Profile& profile);
 
 /// A table for the log, a string for each line.
 std::vector<std::string> profileTable(const Profile& profile);
-/// {"loop_seconds": s, ..., "steps": {LAYER: n}, "lines": [...], "start": [...], "outputs": [...]};
-/// a line is {"label", "kind", "calls", "seconds", "ns_per_particle" or null, "share", "lines"}.
+/// {"time": t, "finished": true, "loop_seconds": s, ..., "steps": {LAYER: n}, "lines": [...],
+/// "start": [...], "outputs": [...]}; a line is {"label", "kind", "calls", "seconds",
+/// "ns_per_particle" or null, "share", "lines"}.
 std::string profileJson(const Profile& profile);
 /// Writes profileJson(). Throws FileError.
 void writeProfile(const Profile& profile, const std::filesystem::path& path);

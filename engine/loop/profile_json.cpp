@@ -49,12 +49,13 @@ std::string profileJson(const Profile& profile) {
     for (const auto& [layer, n] : profile.steps)
         steps += fmt::format("{}{}: {}", steps.empty() ? "" : ", ", quoted(layer), n);
     return fmt::format(
-        "{{\n  \"loop_seconds\": {:.9f},\n  \"start_seconds\": {:.9f},\n"
+        "{{\n  \"time\": {},\n  \"finished\": {},\n  \"loop_seconds\": {:.9f},\n  "
+        "\"start_seconds\": {:.9f},\n"
         "  \"output_seconds\": {:.9f},\n  \"steps\": {{{}}},\n  \"lines\": {},\n"
         "  \"start\": {},\n  \"outputs\": {}\n}}\n",
-        profile.loop_seconds, profile.start_seconds, profile.output_seconds, steps,
-        linesJson(profile.lines, "  "), linesJson(profile.start, "  "),
-        linesJson(profile.outputs, "  "));
+        profile.time, profile.finished, profile.loop_seconds, profile.start_seconds,
+        profile.output_seconds, steps, linesJson(profile.lines, "  "),
+        linesJson(profile.start, "  "), linesJson(profile.outputs, "  "));
 }
 
 void writeProfile(const Profile& profile, const std::filesystem::path& path) {

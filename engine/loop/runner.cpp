@@ -75,6 +75,8 @@ void Runner::transfer(Archive& archive) {
 
 Profile Runner::profile() const {
     Profile profile;
+    profile.time = clock().time;
+    profile.finished = finished();
     profile.loop_seconds = loop_.seconds();
     profile.lines.push_back(profileLayer(outermost_, profile.steps));
     profile.lines.push_back(profileLine("checks after each step", "checks", after_step_));

@@ -31,6 +31,8 @@ double sum(const std::vector<ProfileLine>& lines) {
 /// A profile with round numbers.
 Profile plain() {
     Profile profile;
+    profile.time = 2.5;
+    profile.finished = true;
     profile.loop_seconds = 8;
     profile.start_seconds = 0.5;
     profile.output_seconds = 1;
@@ -109,6 +111,7 @@ TEST_CASE("the profile has the shape of the loop, and its times add up") {
     CHECK(profile.output_seconds >= 6 * 300e-6);
     CHECK(profile.start[0].calls == 1);
     CHECK(profile.start_seconds >= 200e-6);
+    CHECK(profile.finished);
 }
 
 TEST_CASE("the profile as a table") {
@@ -128,6 +131,8 @@ TEST_CASE("the profile as a table") {
 
 TEST_CASE("the profile as JSON") {
     const std::string expected = R"({
+  "time": 2.5,
+  "finished": true,
   "loop_seconds": 8.000000000,
   "start_seconds": 0.500000000,
   "output_seconds": 1.000000000,
