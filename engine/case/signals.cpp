@@ -20,6 +20,7 @@ SignalGuard::SignalGuard() {
     received_signal = 0;
     std::signal(SIGINT, remember);
     std::signal(SIGTERM, remember);
+    std::signal(SIGPIPE, SIG_IGN);
 }
 
 SignalGuard::~SignalGuard() {

@@ -5,7 +5,7 @@
 namespace sphinx::model {
 
 /// While it lives, SIGINT and SIGTERM are remembered instead of ending the process. A second one
-/// ends it at once.
+/// ends it at once. A terminal or pipe that goes away (SIGPIPE) does not end the run.
 class SignalGuard {
  public:
     SignalGuard();

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#if defined(__AVX512DQ__)
+#include <immintrin.h>
+#endif
 
 namespace sphinx {
 
@@ -24,17 +27,42 @@ inline Lanes loadLanes(const double* p) {
     std::memcpy(&a, p, sizeof a);
     return a;
 }
-inline Lanes loadLanes(const float* p) {
+/// Conversions in one instruction, where GCC 12 makes two halves of __builtin_convertvector. (The
+/// forms with a full mask: those without read a variable that GCC thinks uninitialised.)
+inline Lanes toLanes(FloatLanes a) {
+#if defined(__AVX512DQ__)
+    return reinterpret_cast<Lanes>(_mm512_maskz_cvtps_pd(0xff, reinterpret_cast<__m256>(a)));
+#else
+    return __builtin_convertvector(a, Lanes);
+#endif
+}
+inline FloatLanes toFloat(Lanes a) {
+#if defined(__AVX512DQ__)
+    return reinterpret_cast<FloatLanes>(
+        _mm512_maskz_cvtpd_ps(0xff, reinterpret_cast<__m512d>(a)));
+#else
+    return __builtin_convertvector(a, FloatLanes);
+#endif
+}
+
+inline FloatLanes loadFloatLanes(const float* p) {
     FloatLanes a;
     std::memcpy(&a, p, sizeof a);
-    return __builtin_convertvector(a, Lanes);
+    return a;
+}
+inline Lanes loadLanes(const float* p) { return toLanes(loadFloatLanes(p)); }
+inline void storeLanes(Lanes a, double* p) { std::memcpy(p, &a, sizeof a); }
+inline void storeLanes(Lanes a, float* p) {
+    const FloatLanes b = toFloat(a);
+    std::memcpy(p, &b, sizeof b);
 }
 
 inline Lanes maxLanes(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Lanes minLanes(Lanes a, Lanes b) { return a < b ? a : b; }
 
-inline FloatLanes sqrtLanes(FloatLanes a) {
-    FloatLanes r;
+template <class V>
+inline V sqrtLanes(V a) {
+    V r = a;
 #pragma omp simd
     for (int k = 0; k < lane_count; ++k) r[k] = std::sqrt(a[k]);
     return r;
@@ -49,8 +77,20 @@ inline double sumLanes(Lanes a) {
     return q[0] + q[1];
 }
 
+/// Bit k is set where lane k of a comparison is true.
+inline unsigned maskBits(LaneMask mask) {
+#if defined(__AVX512DQ__)
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
+#else
+    unsigned bits = 0;
+    for (int k = 0; k < lane_count; ++k) bits |= mask[k] ? 1u << k : 0u;
+    return bits;
+#endif
+}
+
 /// p[index[k]] of eight particles.
-inline Lanes gatherLanes(const double* p, const std::uint32_t* index) {
+template <class Index>
+inline Lanes gatherLanes(const double* p, const Index* index) {
     return Lanes{p[index[0]], p[index[1]], p[index[2]], p[index[3]],
                  p[index[4]], p[index[5]], p[index[6]], p[index[7]]};
 }

@@ -29,14 +29,14 @@ inline void forEachPair(const NeighborList<Dim, float>& list, std::size_t i, Ter
         Pairs<Dim> pairs;
         pairs.index = block.index;
         for (int c = 0; c < Dim; ++c) {
-            std::memcpy(&g[c], block.gradient[c], sizeof g[c]);
+            g[c] = loadFloatLanes(block.gradient[c]);
             norm2 += g[c] * g[c];
-            pairs.gradient[c] = __builtin_convertvector(g[c], Lanes);
+            pairs.gradient[c] = toLanes(g[c]);
         }
         const FloatLanes norm = sqrtLanes(norm2);
         const FloatLanes tiny = FloatLanes{} + 1e-30f;
-        pairs.dW = __builtin_convertvector(norm, Lanes);
-        pairs.inverse_dW = __builtin_convertvector(1.0f / (norm + tiny), Lanes);
+        pairs.dW = toLanes(norm);
+        pairs.inverse_dW = toLanes(1.0f / (norm + tiny));
         term(pairs);
     }
 }

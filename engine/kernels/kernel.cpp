@@ -23,7 +23,7 @@ template <int Dim>
 double Kernel<Dim>::derivative(double r) const {
     return withKernel<Dim>(type_, [&]<class K>() {
         const double q = r / h_;
-        return q < K::reach ? K::sigma * K::dw(q) / std::pow(h_, Dim + 1) : 0.0;
+        return q > 0 && q < K::reach ? K::sigma * q * K::dwOverQ(q) / std::pow(h_, Dim + 1) : 0.0;
     });
 }
 

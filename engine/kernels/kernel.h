@@ -11,7 +11,8 @@ namespace sphinx {
 enum class KernelType { wendland_c2, cubic_spline, quintic_spline };
 
 /// A smoothing kernel W(r, h) = sigma/h^Dim w(q), q = r/h, with compact support r < rc = reach * h.
-/// `w` and `dw` are the shape and its derivative by q; sigma makes the integral over space 1.
+/// `w` is the shape and dwOverQ its derivative by q, divided by q: what a gradient is made of, for a
+/// difference of positions. T is a number or a vector of them; sigma makes the integral over space 1.
 ///
 /// Wendland C2: w = (1 - q/2)^4 (2q + 1), reach 2; Wendland 1995, doi:10.1007/BF02123482, in the
 /// scaling of Dehnen & Aly 2012, doi:10.1111/j.1365-2966.2012.21439.x.
@@ -20,14 +21,16 @@ struct WendlandC2 {
     static constexpr double reach = 2;
     static constexpr double sigma =
         Dim == 2 ? 7.0 / (4.0 * std::numbers::pi) : 21.0 / (16.0 * std::numbers::pi);
-    static double w(double q) {
-        const double a = 1 - 0.5 * q;
-        const double b = a * a;
-        return b * b * (2 * q + 1);
+    template <class T>
+    static T w(T q) {
+        const T a = 1.0 - 0.5 * q;
+        const T b = a * a;
+        return b * b * (2.0 * q + 1.0);
     }
-    static double dw(double q) {
-        const double a = 1 - 0.5 * q;
-        return -5 * q * a * a * a;
+    template <class T>
+    static T dwOverQ(T q) {
+        const T a = 1.0 - 0.5 * q;
+        return -5.0 * a * a * a;
     }
 };
 
@@ -37,15 +40,19 @@ struct CubicSpline {
     static constexpr double reach = 2;
     static constexpr double sigma =
         Dim == 2 ? 10.0 / (7.0 * std::numbers::pi) : 1.0 / std::numbers::pi;
-    static double w(double q) {
-        const double a = 2 - q;
-        const double b = 1 - q;
-        return q < 1 ? 0.25 * a * a * a - b * b * b : 0.25 * a * a * a;
+    template <class T>
+    static T w(T q) {
+        const T a = 2.0 - q;
+        const T b = 1.0 - q;
+        const T outer = 0.25 * a * a * a;
+        return q < 1.0 ? outer - b * b * b : outer;
     }
-    static double dw(double q) {
-        const double a = 2 - q;
-        const double b = 1 - q;
-        return q < 1 ? -0.75 * a * a + 3 * b * b : -0.75 * a * a;
+    template <class T>
+    static T dwOverQ(T q) {
+        const T a = 2.0 - q;
+        const T inner = 2.25 * q - 3.0;
+        const T outer = -0.75 * a * a / q;
+        return q < 1.0 ? inner : outer;
     }
 };
 
@@ -55,18 +62,31 @@ struct QuinticSpline {
     static constexpr double reach = 3;
     static constexpr double sigma =
         Dim == 2 ? 7.0 / (478.0 * std::numbers::pi) : 1.0 / (120.0 * std::numbers::pi);
-    static double power4(double a) { return a * a * a * a; }
-    static double w(double q) {
-        double value = power4(3 - q) * (3 - q);
-        if (q < 2) value -= 6 * power4(2 - q) * (2 - q);
-        if (q < 1) value += 15 * power4(1 - q) * (1 - q);
-        return value;
+    template <class T>
+    static T power4(T a) {
+        const T b = a * a;
+        return b * b;
     }
-    static double dw(double q) {
-        double value = -5 * power4(3 - q);
-        if (q < 2) value += 30 * power4(2 - q);
-        if (q < 1) value -= 75 * power4(1 - q);
-        return value;
+    template <class T>
+    static T positive(T a) {
+        const T zero = a - a;
+        return a > zero ? a : zero;
+    }
+    template <class T>
+    static T w(T q) {
+        const T a = positive<T>(3.0 - q);
+        const T b = positive<T>(2.0 - q);
+        const T c = positive<T>(1.0 - q);
+        return power4(a) * a - 6.0 * power4(b) * b + 15.0 * power4(c) * c;
+    }
+    template <class T>
+    static T dwOverQ(T q) {
+        const T a = positive<T>(3.0 - q);
+        const T b = positive<T>(2.0 - q);
+        const T c = positive<T>(1.0 - q);
+        const T at_zero = 0.0 * q - 120.0;
+        const T slope = (30.0 * power4(b) - 5.0 * power4(a) - 75.0 * power4(c)) / q;
+        return q > 0.0 ? slope : at_zero;
     }
 };
 

@@ -2,22 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "neighbors/list_builder.h"
 
+#include "core/errors.h"
 #include "core/parallel.h"
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <vector>
 
 namespace sphinx {
 namespace {
 
+/// Positions beyond the last candidate: farther than any cutoff, their square still finite.
+constexpr double far_away = 1e150;
+
 /// Particles that may be neighbors of those in one cell of `from`, with the shift of their image.
 template <int Dim>
 struct Candidates {
     std::array<AlignedVector<double>, Dim> x;
     std::array<AlignedVector<double>, Dim> shift;  // filled only when `shifted`
-    AlignedVector<Index> index;
+    AlignedVector<std::int64_t> index;
     std::size_t count = 0;
     bool shifted = false;
 
@@ -25,31 +30,36 @@ struct Candidates {
         count = 0;
         shifted = false;
     }
-
     void reserve(std::size_t n) {
-        if (index.size() >= n) return;
+        if (index.size() >= n + lane_count) return;
         n += n / 2 + lane_count;
         for (auto& axis : x) axis.resize(n);
         for (auto& axis : shift) axis.resize(n);
         index.resize(n);
     }
-};
-
-/// Neighbors of one particle before they go into blocks.
-template <int Dim>
-struct Found {
-    std::array<AlignedVector<double>, Dim> d;
-    AlignedVector<double> r2;
-    AlignedVector<Index> index;
-
-    void reserve(std::size_t n) {
-        if (index.size() >= n) return;
-        n += n / 2 + 2 * lane_count;
-        for (auto& axis : d) axis.resize(n);
-        r2.resize(n);
-        index.resize(n);
+    /// Fills up to a whole vector, so that the search needs no remainder.
+    void pad() {
+        for (std::size_t m = count; m < count + lane_count; ++m) {
+            for (auto& axis : x) axis[m] = far_away;
+            for (auto& axis : shift) axis[m] = 0;
+            index[m] = -1;
+        }
     }
 };
+
+/// Places of the set bits of a byte, packed to the front: what a comparison of eight lanes selects.
+struct PackTable {
+    std::uint16_t places[256][lane_count] = {};
+
+    constexpr PackTable() {
+        for (unsigned bits = 0; bits < 256; ++bits) {
+            int n = 0;
+            for (std::uint16_t k = 0; k < lane_count; ++k)
+                if (bits & (1u << k)) places[bits][n++] = k;
+        }
+    }
+};
+constexpr PackTable pack_table;
 
 template <int Dim>
 class Images {
@@ -105,7 +115,7 @@ void collect(const CellGrid<Dim>& to, const Vec<Dim>& lower, const Vec<Dim>& upp
             if (moved || out.shifted) std::fill_n(out.shift[k].data() + out.count, n, shift[k]);
         }
         out.shifted = out.shifted || moved;
-        std::copy_n(to.order().data() + begin, n, out.index.data() + out.count);
+        for (std::size_t m = 0; m < n; ++m) out.index[out.count + m] = to.order()[begin + m];
         out.count += n;
         int k = 1;
         for (; k < Dim; ++k) {
@@ -116,64 +126,85 @@ void collect(const CellGrid<Dim>& to, const Vec<Dim>& lower, const Vec<Dim>& upp
     }
 }
 
-constexpr Index no_particle = std::numeric_limits<Index>::max();
+/// Asks for no particle to be left out; differs from the -1 of padding.
+constexpr std::int64_t no_particle = -2;
 
-/// The candidates nearer than the cutoff, without a branch. The difference of two positions (and
-/// then the shift) is exactly antisymmetric, whichever of the two particles asks.
+/// Numbers of the candidates nearer than the cutoff, ascending; without a branch.
 template <bool Shifted, int Dim>
-std::size_t findNear(const Vec<Dim>& xi, Index self, double cutoff2,
-                 const Candidates<Dim>& candidates, Found<Dim>& found) {
+std::size_t findNear(const Vec<Dim>& xi, std::int64_t self, double cutoff2,
+                     const Candidates<Dim>& candidates, std::uint16_t* found) {
+    using Places = std::uint16_t __attribute__((vector_size(16)));
     std::size_t count = 0;
-    for (std::size_t m = 0; m < candidates.count; ++m) {
-        double r2 = 0;
+    for (std::size_t m = 0; m < candidates.count; m += lane_count) {
+        Lanes r2 = {};
         for (int k = 0; k < Dim; ++k) {
-            double d = xi[k] - candidates.x[k][m];
-            if constexpr (Shifted) d -= candidates.shift[k][m];
-            found.d[k][count] = d;
+            Lanes d = xi[k] - loadLanes(candidates.x[k].data() + m);
+            if constexpr (Shifted) d -= loadLanes(candidates.shift[k].data() + m);
             r2 += d * d;
         }
-        found.r2[count] = r2;
-        found.index[count] = candidates.index[m];
-        count += (r2 < cutoff2) & (candidates.index[m] != self);
+        LaneMask index;
+        std::memcpy(&index, candidates.index.data() + m, sizeof index);
+        const unsigned bits = maskBits((r2 < cutoff2) & (index != self));
+        Places places;
+        std::memcpy(&places, pack_table.places[bits], sizeof places);
+        places += static_cast<std::uint16_t>(m);
+        std::memcpy(found + count, &places, sizeof places);
+        count += static_cast<std::size_t>(std::popcount(bits));
     }
     return count;
 }
 
-/// Writes the blocks of one particle and returns the sum of W.
-template <class K, int Dim, class Real>
-double fillBlocks(const Found<Dim>& found, std::size_t n, double h, double gradient_factor,
-                  PairBlock<Dim, Real>* block, float* distance) {
-    const double sigma = K::sigma / std::pow(h, Dim);
-    const double factor = gradient_factor * sigma / h;
-    const double inverse_h = 1 / h;
-    double sum = 0;
-    const std::size_t blocks = (n + lane_count - 1) / lane_count;
-    for (std::size_t b = 0; b < blocks; ++b) {
-        const std::size_t first = b * lane_count;
-        double w[lane_count];
-#pragma omp simd
-        for (int k = 0; k < lane_count; ++k) {
-            const double r = std::sqrt(found.r2[first + k]);
-            const double q = r * inverse_h;
-            const double valid = first + k < n ? 1.0 : 0.0;
-            const double g = valid * factor * K::dw(q) / (r > 0 ? r : 1.0);
-            for (int c = 0; c < Dim; ++c)
-                block[b].gradient[c][k] = static_cast<Real>(g * found.d[c][first + k]);
-            block[b].index[k] = found.index[first + k];
-            w[k] = valid * K::w(q);
-            if (distance) distance[first + k] = static_cast<float>(r);
+/// Factors of a kernel that its pairs share.
+template <class K, int Dim>
+struct Factors {
+    explicit Factors(const Kernel<Dim>& kernel)
+        : inverse_h(1 / kernel.smoothingLength()),
+          value(K::sigma * std::pow(inverse_h, Dim)),
+          gradient(kernel.gradientFactor() * value * inverse_h * inverse_h) {}
+
+    double inverse_h;
+    double value;     // W = value w(q)
+    double gradient;  // e W' = gradient (r_i - r_j) dw/q
+};
+
+/// Writes the blocks of one particle and returns the sum of W. The difference of two positions (and
+/// then the shift) is exactly antisymmetric, whichever of the two particles asks.
+template <class K, bool Shifted, int Dim, class Real>
+double fillBlocks(const Vec<Dim>& xi, const Candidates<Dim>& candidates, std::uint16_t* found,
+                  std::size_t n, const Factors<K, Dim>& factors, PairBlock<Dim, Real>* block,
+                  float* distance) {
+    // Places beyond the last neighbor repeat the first one.
+    for (std::size_t m = n; m % lane_count != 0; ++m) found[m] = found[0];
+    constexpr LaneMask lane = {0, 1, 2, 3, 4, 5, 6, 7};
+    Lanes sum = {};
+    for (std::size_t first = 0; first < n; first += lane_count, ++block) {
+        const std::uint16_t* place = found + first;
+        Lanes d[Dim];
+        Lanes r2 = {};
+        for (int c = 0; c < Dim; ++c) {
+            d[c] = xi[c] - gatherLanes(candidates.x[c].data(), place);
+            if constexpr (Shifted) d[c] -= gatherLanes(candidates.shift[c].data(), place);
+            r2 += d[c] * d[c];
         }
-        for (double value : w) sum += value;
+        const LaneMask valid = lane < static_cast<std::int64_t>(n - first);
+        const Lanes r = sqrtLanes(r2);
+        const Lanes q = r * factors.inverse_h;
+        const Lanes g = valid ? factors.gradient * K::dwOverQ(q) : Lanes{};
+        sum += valid ? K::w(q) : Lanes{};
+        for (int c = 0; c < Dim; ++c) storeLanes(g * d[c], block->gradient[c]);
+        for (int k = 0; k < lane_count; ++k)
+            block->index[k] = static_cast<std::uint32_t>(candidates.index[place[k]]);
+        if (distance) storeLanes(r, distance + first);
     }
-    return sum * sigma;
+    return factors.value * sumLanes(sum);
 }
 
 template <class K, int Dim, class Real>
 void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
            const Kernel<Dim>& kernel, const Domain<Dim>& domain,
            NeighborList<Dim, Real>& list) {
-    const double h = kernel.smoothingLength();
-    const double cutoff = K::reach * h;
+    const Factors<K, Dim> factors(kernel);
+    const double cutoff = K::reach * kernel.smoothingLength();
     const double cutoff2 = cutoff * cutoff;
     const Images<Dim> images(domain);
     const std::size_t n = from.particles();
@@ -192,7 +223,7 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
 
         const auto cells = [&](std::size_t cell_begin, std::size_t cell_end) {
             thread_local Candidates<Dim> candidates;
-            thread_local Found<Dim> found;
+            thread_local std::vector<std::uint16_t> found;  // numbers of candidates
             const auto place = [&](std::size_t cell) {
                 return static_cast<std::size_t>(slots * static_cast<double>(from.start(cell)));
             };
@@ -212,31 +243,32 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
                 candidates.clear();
                 for (const Vec<Dim>& shift : images.shifts())
                     collect(to, box_lower, box_upper, shift, candidates);
-                found.reserve(candidates.count);
+                candidates.pad();
+                if (candidates.count > std::numeric_limits<std::uint16_t>::max())
+                    throw PhysicsError("more than 65535 particles in the reach of one cell");
+                found.resize(candidates.count + lane_count);
 
                 for (std::size_t s = begin; s < end; ++s) {
                     const Index i = from.order()[s];
                     Vec<Dim> xi;
                     for (int k = 0; k < Dim; ++k) xi[k] = from.sorted(k)[s];
-                    const Index self = same ? i : no_particle;
+                    const std::int64_t self = same ? std::int64_t{i} : no_particle;
                     const std::size_t count =
-                        candidates.shifted ? findNear<true>(xi, self, cutoff2, candidates, found)
-                                           : findNear<false>(xi, self, cutoff2, candidates, found);
+                        candidates.shifted
+                            ? findNear<true>(xi, self, cutoff2, candidates, found.data())
+                            : findNear<false>(xi, self, cutoff2, candidates, found.data());
                     const std::size_t blocks = (count + lane_count - 1) / lane_count;
                     used += blocks;
                     if (next + blocks > limit) {
                         full = true;
                         continue;
                     }
-                    for (std::size_t m = count; m < blocks * lane_count; ++m) {
-                        for (int k = 0; k < Dim; ++k) found.d[k][m] = 0;
-                        found.r2[m] = 0;
-                        found.index[m] = found.index[0];
-                    }
                     list.ranges[i] = {next, static_cast<std::uint32_t>(blocks),
                                       static_cast<std::uint32_t>(count)};
-                    const double sum = fillBlocks<K, Dim, Real>(
-                        found, count, h, kernel.gradientFactor(), list.blocks.data() + next,
+                    const auto fill = candidates.shifted ? fillBlocks<K, true, Dim, Real>
+                                                         : fillBlocks<K, false, Dim, Real>;
+                    const double sum = fill(
+                        xi, candidates, found.data(), count, factors, list.blocks.data() + next,
                         list.keep_distance ? list.distance.data() + next * lane_count : nullptr);
                     if (list.keep_kernel_sum) list.kernel_sum[i] = sum;
                     next += blocks;
