@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/expression_parser.h"
 
+#include "input/decimal.h"
+
 #include <muParser.h>
 #include <algorithm>
 #include <array>
@@ -92,7 +94,11 @@ std::string explain(const mu::Parser::exception_type& e) {
 std::vector<Identifier> scanExpression(std::string_view text,
                                        std::optional<ExpressionError>& error) {
     std::vector<Identifier> identifiers;
-    std::vector<std::size_t> open;
+    struct Parenthesis {
+        std::size_t position;
+        bool is_call;
+    };
+    std::vector<Parenthesis> open;
     bool operand = false;  // a number or name stands before, with nothing but blanks between
     const auto fail = [&](std::size_t position, std::string message) {
         error = ExpressionError{position, std::move(message)};
@@ -109,7 +115,8 @@ std::vector<Identifier> scanExpression(std::string_view text,
         if (isDigit(c) || c == '.') {
             const std::size_t begin = k;
             k = endOfNumber(text, k);
-            if (k < text.size() && isWord(text[k]))
+            if ((k < text.size() && isWord(text[k])) ||
+                !parseDecimal<double>(text.substr(begin, k - begin)))
                 return fail(begin, "'" + wordAt(text, begin) + "' is not a number");
             continue;
         }
@@ -122,7 +129,12 @@ std::vector<Identifier> scanExpression(std::string_view text,
                                    next < text.size() && text[next] == '('});
             continue;
         }
-        if (c == '(') open.push_back(k);
+        if (c == '(')
+            open.push_back(
+                {k, !identifiers.empty() && identifiers.back().is_call &&
+                        text.find_first_not_of(' ', identifiers.back().position +
+                                                        identifiers.back().name.size()) == k});
+        if (c == ',' && (open.empty() || !open.back().is_call)) return fail(k, "unexpected comma");
         if (static_cast<int>(open.size()) > deepest_parentheses)
             return fail(k, "parentheses are nested too deeply");
         if (c == ')') {
@@ -143,7 +155,7 @@ std::vector<Identifier> scanExpression(std::string_view text,
                                                              : "character"));
         ++k;
     }
-    if (!open.empty()) return fail(open.back(), "'(' is never closed");
+    if (!open.empty()) return fail(open.back().position, "'(' is never closed");
     return identifiers;
 }
 

@@ -122,6 +122,8 @@ struct Scope::Evaluation {
         const auto number = parseDecimal<double>(quantity.number);
         const auto unit = parseUnit(quantity.unit);
         if (!number) return fail(node.place, label + " is '" + node.text + "', not a number");
+        if (!unit && scope.has(quantity.unit))
+            return fail(place, label + ": an operator is missing before '" + unit_text + "'");
         if (!unit)
             return fail(place, "'" + unit_text + "' is not a unit" + suggestUnit(quantity.unit));
         if (!quantity.blank)

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/units.h"
 
+#include "core/types.h"
+#include "input/decimal.h"
 #include "input/suggest.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -156,6 +159,22 @@ std::string unitNames() {
     return joined(names);
 }
 
+namespace {
+
+/// The number with its decimal point moved: 9.8 and -3 give what 0.0098 reads as.
+double shifted(double value, int exponent) {
+    const std::string text = fmt::format("{}", value);
+    const auto e = text.find('e');
+    int own = 0;
+    if (e != std::string::npos)
+        std::from_chars(text.data() + e + 1 + (text[e + 1] == '+'), text.data() + text.size(), own);
+    const auto moved =
+        parseDecimal<double>(fmt::format("{}e{}", text.substr(0, e), own + exponent));
+    return moved.value_or(nan_value);
+}
+
+}  // namespace
+
 double UnitSystem::convert(double value, const Unit& given) const {
     Unit ratio = given;
     for (const auto& [name, power] :
@@ -163,9 +182,7 @@ double UnitSystem::convert(double value, const Unit& given) const {
           std::pair(&mass, given.dimension.mass)})
         if (power != 0) multiply(ratio, *findUnit(*name), -power);
     value *= ratio.factor;
-    // Powers of ten up to 22 are exact doubles, so that dividing rounds only once.
-    return ratio.exponent < 0 ? value / std::pow(10.0, -ratio.exponent)
-                              : value * std::pow(10.0, ratio.exponent);
+    return ratio.exponent == 0 ? value : shifted(value, ratio.exponent);
 }
 
 std::string UnitSystem::name(Dimension dimension) const {

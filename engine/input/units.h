@@ -10,8 +10,8 @@
 
 namespace sphinx::input {
 
-/// A unit as a multiple of SI: factor * 10^exponent. Powers of ten are kept apart because scaling
-/// by them once is exact: 2 cm is the same double as 0.02.
+/// A unit as a multiple of SI: factor * 10^exponent. Powers of ten are kept apart because
+/// moving the decimal point is exact: 2 cm is the same double as 0.02.
 struct Unit {
     Dimension dimension;
     double factor = 1;
