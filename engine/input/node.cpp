@@ -22,6 +22,10 @@ Node Node::string(std::string text) {
     return node;
 }
 
+Node::Node(Kind kind) : kind(kind) {}
+
+Node Node::list() { return Node(Kind::list); }
+
 Node Node::list(std::vector<Node> items) {
     Node node(Kind::list);
     node.items = std::move(items);

@@ -19,14 +19,15 @@ class Node {
     struct Entry;
 
     Node() = default;
-    explicit Node(Kind kind) : kind(kind) {}
+    explicit Node(Kind kind);
     /// A plain scalar: number, name, true or false.
     static Node plain(std::string text);
     static Node number(double value);  ///< shortest decimals that read back the same
     static Node integer(std::int64_t value);
     /// A scalar that is a string whatever it looks like.
     static Node string(std::string text);
-    static Node list(std::vector<Node> items = {});
+    static Node list();
+    static Node list(std::vector<Node> items);
     static Node map();
 
     bool isNull() const { return kind == Kind::null; }
