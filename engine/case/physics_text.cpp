@@ -26,7 +26,8 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 std::string physicsText(const Case& model) {
     input::Node resolved = model.resolved;
-    for (const char* key : {"title", "outputs", "variables", "include"}) drop(resolved, key);
+    // Of the variables only those are left that expressions of place and time use.
+    for (const char* key : {"title", "outputs", "include"}) drop(resolved, key);
     if (input::Node* loop = resolved.find("loop")) drop(*loop, "end_time");
     return input::writeYaml(resolved, false);
 }

@@ -5,10 +5,12 @@
 #include "case/build_loop.h"
 #include "case/build_outputs.h"
 #include "case/build_world.h"
+#include "case/failed_state.h"
 #include "case/health.h"
 #include "case/physics_text.h"
 #include "case/provenance.h"
 #include "case/restart_fields.h"
+#include "case/restart_source.h"
 #include "case/show.h"
 #include "case/signals.h"
 #include "core/errors.h"
@@ -17,10 +19,10 @@
 #include "io/compress.h"
 #include "io/output_folder.h"
 #include "io/progress.h"
-#include "io/vtu.h"
 #include "loop/runner.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -46,19 +48,24 @@ class Simulation {
     bool resuming() const { return options_.resume || !options_.restart.empty(); }
     const std::string& warnings() const { return warnings_; }
 
-    int run(const io::Provenance& provenance) {
+    /// Everything up to the first step, without touching the results folder; a restart is read.
+    void prepare(const io::Provenance& provenance) {
+        provenance_ = provenance;
         loop::Plan plan = buildPlan<Dim>(model_, placed_.facts, *world_, *methods_);
-        OutputTools<Dim> tools{model_,          *world_,
-                               *relations_,     folder_,
-                               provenance,      [this] { return runner_->progress(); },
-                               methods_->all(), restartHeader(),
-                               restartBodies(), [this](Archive& archive) { transfer(archive); }};
-        Outputs<Dim> outputs(tools, options_.outputs);
-        outputs.addTo(plan);
+        const OutputTools<Dim> tools{
+            model_,          *world_,
+            *relations_,     folder_,
+            provenance_,     [this] { return runner_->progress(); },
+            methods_->all(), restartHeader(),
+            restartBodies(), [this](Archive& archive) { transfer(archive); }};
+        outputs_.emplace(tools, options_.outputs);
+        outputs_->addTo(plan);
         runner_ = std::make_unique<loop::Runner>(std::move(plan));
         if (resuming()) restore();
-        logBodies();
+    }
 
+    int run() {
+        logStart();
         Health<Dim> health(*world_, placed_.facts);
         SignalGuard signals;
         Timer wall;
@@ -69,7 +76,9 @@ class Simulation {
             });
             finish(outcome);
         } catch (const PhysicsError&) {
-            writeFailedState(provenance);
+            writeFailedState();
+            // A number that is none any more is the reason, whoever stumbled over it first.
+            health.check(runner_->clock());
             throw;
         }
         return SignalGuard::received() ? 128 + SignalGuard::received() : exit_done;
@@ -92,14 +101,27 @@ class Simulation {
         for (const std::string& line : loop::profileTable(profile)) log::info(line);
         if (options_.outputs) loop::writeProfile(profile, folder_ / "profile.json");
         if (outcome.finished)
-            log::info(fmt::format("done at time {:g}; results are in {}", runner_->clock().time,
-                                  folder_.string()));
+            log::info(fmt::format(
+                "done at time {:g}{}", runner_->clock().time,
+                options_.outputs ? "; results are in " + folder_.string() : std::string()));
         else
-            log::info(fmt::format("stopped at time {:g}: {}; go on with --resume",
-                                  runner_->clock().time, outcome.reason));
+            log::info(fmt::format(
+                "stopped at time {:g}: {}; {}", runner_->clock().time, outcome.reason,
+                writesRestarts() ? "go on with --resume" : "no output of this run was a restart"));
     }
 
-    void logBodies() const {
+    bool writesRestarts() const {
+        return options_.outputs &&
+               std::any_of(model_.outputs.begin(), model_.outputs.end(), [](const Output& output) {
+                   return output.declaration->name() == "restart";
+               });
+    }
+
+    void logStart() const {
+        for (const std::string& line : source_.warnings) log::warning(line);
+        if (resuming())
+            log::info(fmt::format("going on from {} at time {:g}", source_.file.string(),
+                                  runner_->clock().time));
         for (const auto& body : world_->bodies)
             log::info(fmt::format("{}: {} particles", body->name, body->size()));
     }
@@ -142,55 +164,39 @@ class Simulation {
     }
 
     void restore() {
-        io::Path file = options_.restart;
-        if (file.empty()) {
-            const io::RestartSearch search = io::findNewestValid(folder_ / "restart");
-            for (const auto& [path, why] : search.skipped)
-                log::warning(fmt::format("skipped {}: {}", path.string(), why));
-            if (search.found.empty())
-                throw FileError("no valid restart in " + (folder_ / "restart").string());
-            file = search.found;
-        }
+        if (options_.restart.empty())
+            source_ = newestRestart(folder_);
+        else
+            source_.file = options_.restart;
         const io::RestartHeader ours = restartHeader();
-        const io::RestartHeader theirs = io::readRestartHeader(file);
-        if (theirs.digest != ours.digest || theirs.dimension != Dim)
-            throw CaseError(fmt::format(
-                "error: the case is not the one that {} was written by; only title, outputs and "
-                "loop.end_time may change:\n{}",
-                file.string(), difference(theirs.case_text, ours.case_text, 20)));
+        const io::RestartHeader theirs = io::readRestartHeader(source_.file);
+        requireSamePhysics(source_.file, theirs, ours);
         if (theirs.instruction_set != ours.instruction_set)
-            log::warning(
-                fmt::format("{} was written by a program for {}, this one is for {}: the "
-                            "last bits may differ",
-                            file.string(), theirs.instruction_set, ours.instruction_set));
+            source_.warnings.push_back(fmt::format(
+                "{} was written by a program for {}, this one is for {}: the last bits may differ",
+                source_.file.string(), theirs.instruction_set, ours.instruction_set));
         io::readRestart<Dim>(
-            file, [this](Archive& archive) { transfer(archive); }, restartBodies());
+            source_.file, [this](Archive& archive) { transfer(archive); }, restartBodies());
         std::vector<sphinx::Body<Dim>*> bodies;
         for (const auto& body : world_->bodies) {
             ++body->version;
             bodies.push_back(body.get());
         }
         relations_->update(bodies);
-        log::info(
-            fmt::format("going on from {} at time {:g}", file.string(), runner_->clock().time));
     }
 
     /// For inspection; the last good restart stays as it is.
-    void writeFailedState(const io::Provenance& provenance) {
+    void writeFailedState() const {
         if (!options_.outputs) return;
         const io::Path folder = folder_ / "failed";
-        io::makeFolder(folder);
-        std::vector<io::BodyFrames<Dim>> frames;
-        for (const auto& body : world_->bodies) {
-            if (body->kind == BodyKind::observer) continue;
-            io::BodyFrames<Dim> f{body.get(), {}};
-            for (const auto& field : body->particles.all())
-                if (field->info().name != "position") f.fields.emplace_back(field->info().name);
-            frames.push_back(f);
+        try {
+            model::writeFailedState(*world_, runner_->clock(),
+                                    {folder, false, model_.units, provenance_});
+            log::info("the state is in " + folder.string());
+        } catch (const FileError& e) {
+            // What went wrong first is what the user must hear of.
+            log::warning(fmt::format("no state for inspection: {}", e.what()));
         }
-        io::VtuOutput<Dim>({folder, false, model_.units, provenance}, frames)
-            .write(runner_->clock());
-        log::info("the state is in " + folder.string());
     }
 
     const Case& model_;
@@ -198,36 +204,49 @@ class Simulation {
     io::Path folder_;
     PlacedFacts placed_;
     std::string warnings_;
+    io::Provenance provenance_;
+    RestartSource source_;
     std::unique_ptr<World<Dim>> world_;
     std::unique_ptr<Relations<Dim>> relations_;
     std::unique_ptr<Methods<Dim>> methods_;
+    std::optional<Outputs<Dim>> outputs_;
     std::unique_ptr<loop::Runner> runner_;
 };
 
 template <int Dim>
 int run(const Case& model, const RunOptions& options) {
-    const bool resuming = options.resume || !options.restart.empty();
     const io::Path path =
         options.output.empty() ? io::Path("output") / caseName(model) : io::Path(options.output);
+    const io::Provenance provenance = makeProvenance(threadCount());
     Simulation<Dim> simulation(model, options, path);
 
+    // A folder to go on in is locked before its restarts are read. Any other one changes only when
+    // the case and the restart are known to be good.
     std::optional<io::OutputFolder> folder;
+    if (options.resume && options.outputs && std::filesystem::is_directory(path))
+        folder.emplace(path, io::ExistingResults::keep);
+    simulation.prepare(provenance);
     if (options.outputs) {
-        folder.emplace(path, options.resume      ? io::ExistingResults::keep
-                             : options.overwrite ? io::ExistingResults::replace
-                                                 : io::ExistingResults::refuse);
-        log::openFile(path / "log.txt");
+        if (options.overwrite && !options.restart.empty()) requireOutside(options.restart, path);
+        if (!folder)
+            folder.emplace(path, options.overwrite ? io::ExistingResults::replace
+                                                   : io::ExistingResults::refuse);
         io::writeFileAtomically(path / io::resolved_case_name, showCase(model));
+        log::openFile(path / "log.txt");
     }
-    const io::Provenance provenance = makeProvenance(threadCount());
     for (const auto& [name, value] : provenance.entries) log::fileOnly(name + ": " + value);
     log::info(fmt::format("{}{}", model.title.empty() ? caseName(model) : model.title,
-                          resuming ? ", resumed" : ""));
+                          simulation.resuming() ? ", resumed" : ""));
     for (const std::string& text : {model.warnings, simulation.warnings()})
         if (!text.empty()) log::warning(text);
-    const int code = simulation.run(provenance);
-    log::closeFile();
-    return code;
+    try {
+        const int code = simulation.run();
+        log::closeFile();
+        return code;
+    } catch (const std::exception& e) {
+        log::fileOnly(std::string("error: ") + e.what());
+        throw;
+    }
 }
 
 }  // namespace

@@ -69,12 +69,12 @@ class BodySelectionType final : public TypeBase {
     /// No selection stands for all bodies, so an empty one that was written would surprise.
     static bool checkEmpty(const Node& node, Reader& reader, const BodySelection& selection) {
         if (!selection.empty()) return true;
-        return reader.error(node, reader.label + " is empty; without the key all bodies are written");
+        return reader.error(node,
+                            reader.label + " is empty; without the key all bodies are written");
     }
 
     Type<std::vector<Name>> bodies_ = list(bodyReference({"fluid", "solid"}));
-    Type<FieldsOfBodies> fields_ =
-        mapOf(bodyReference({"fluid", "solid"}), list(fieldReference()));
+    Type<FieldsOfBodies> fields_ = mapOf(bodyReference({"fluid", "solid"}), list(fieldReference()));
 };
 
 template <int Dim>

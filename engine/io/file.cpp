@@ -124,9 +124,13 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::commit() {
     file_.sync();
     file_.close();
-    if (::rename(temporaryName(path_).c_str(), path_.c_str()) != 0) fail("write", path_, errno);
+    renameFile(temporaryName(path_), path_);
     committed_ = true;
-    syncFolder(path_.parent_path());
+}
+
+void renameFile(const Path& from, const Path& to) {
+    if (::rename(from.c_str(), to.c_str()) != 0) fail("write", to, errno);
+    syncFolder(to.parent_path());
 }
 
 void writeFileAtomically(const Path& path, std::string_view content) {

@@ -68,6 +68,8 @@ class AtomicFile {
 /// The name under which a file is written before it is complete.
 Path temporaryName(const Path& path);
 
+/// Gives a file its final name, durably.
+void renameFile(const Path& from, const Path& to);
 void writeFileAtomically(const Path& path, std::string_view content);
 /// Whole content of a file of at most `limit` bytes.
 std::string readFile(const Path& path, std::uint64_t limit);

@@ -10,14 +10,8 @@ SafeFile SafeFile::create(const Path& path) {
     if (std::filesystem::exists(path))
         throw FileError("cannot write " + path.string() + ": it exists already");
     SafeFile result(path);
-    const std::string root = groupObject({}, {});
-    AtomicFile start(path);
-    start.write(superblock(superblock_size + root.size(), superblock_size));
-    start.write(root);
-    start.commit();
-    result.file_ = File::openUpdate(path);
-    result.end_ += root.size();
-    result.release(superblock_size, root.size());
+    result.file_ = File::create(temporaryName(path));
+    result.visible_ = false;
     return result;
 }
 
@@ -61,6 +55,11 @@ void SafeFile::commit(Address root, bool durable) {
     if (file_->size() < end_) file_->truncate(end_);
     if (durable) file_->sync();
     file_->writeAt(0, superblock(end_, root));
+    if (!visible_) {
+        file_->sync();
+        renameFile(temporaryName(path_), path_);
+        visible_ = true;
+    }
     for (auto [address, size] : released_) {
         const auto after = free_.lower_bound(address);
         if (after != free_.end() && after->first == address + size) {

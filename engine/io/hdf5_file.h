@@ -24,7 +24,7 @@ namespace sphinx::io::hdf5 {
 /// two files used in turn cost twice the space; a file a frame is not one file.
 class SafeFile {
  public:
-    /// A new file; throws FileError if there is one already. It appears when it is valid.
+    /// A new file; throws FileError if there is one already. It appears with the first commit.
     static SafeFile create(const Path& path);
     /// An existing file that this class wrote. Throws FileError.
     static SafeFile open(const Path& path);
@@ -47,6 +47,7 @@ class SafeFile {
 
     Path path_;
     std::optional<File> file_;
+    bool visible_ = true;  // false: written under its temporary name
     Address end_ = superblock_size;
     std::map<Address, std::uint64_t> free_;
     std::vector<std::pair<Address, std::uint64_t>> released_;

@@ -25,7 +25,7 @@ template <int Dim>
 struct OutputContext {
     const World<Dim>& world;
     Relations<Dim>& relations;
-    Path folder;  ///< of the results; it exists
+    Path folder;  ///< of the results; it exists when outputs write
     input::UnitSystem units;
     Provenance provenance;
     std::shared_ptr<ResultsFile> results;  ///< results.h5
@@ -56,12 +56,12 @@ struct OutputFactory {
 ///           -> std::unique_ptr<Output>.
 template <class P, class Make>
 OutputFactory outputFactory(Make make) {
-    return {[make](const input::Component& component, const OutputContext<2>& context)
-                -> std::unique_ptr<Output> {
+    return {[make](const input::Component& component,
+                   const OutputContext<2>& context) -> std::unique_ptr<Output> {
                 return make.template operator()<2>(component.as<P>(), component, context);
             },
-            [make](const input::Component& component, const OutputContext<3>& context)
-                -> std::unique_ptr<Output> {
+            [make](const input::Component& component,
+                   const OutputContext<3>& context) -> std::unique_ptr<Output> {
                 return make.template operator()<3>(component.as<P>(), component, context);
             }};
 }

@@ -10,17 +10,31 @@
 
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
 namespace sphinx::io {
 namespace {
 
+/// In an order that leaves nothing misleading when it is interrupted: the restarts go first, so
+/// that no run goes on from them without its other results, and the mark of a results folder last.
 void emptyFolder(const Path& folder) {
     std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        std::filesystem::remove_all(entry.path(), error);
-        if (error) break;
-    }
+    const auto remove = [&](const Path& path) {
+        if (!error) std::filesystem::remove_all(path, error);
+    };
+    remove(folder / "restart");
+    std::vector<Path> others;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+        if (entry.path().filename() != resolved_case_name) others.push_back(entry.path());
+    for (const Path& path : others) remove(path);
+    remove(folder / resolved_case_name);
     if (error) throw FileError("cannot empty " + folder.string() + ": " + error.message());
+}
+
+/// A run that was killed right at its start leaves no more than the unfinished mark.
+bool isOurs(const Path& folder) {
+    const Path mark = folder / resolved_case_name;
+    return std::filesystem::exists(mark) || std::filesystem::exists(temporaryName(mark));
 }
 
 }  // namespace
@@ -42,7 +56,7 @@ OutputFolder::OutputFolder(const Path& path, ExistingResults existing) : path_(p
             throw FileError(path.string() +
                             " holds results already; --resume goes on with them, --overwrite "
                             "replaces them, --output DIR writes elsewhere");
-        if (!std::filesystem::exists(path / resolved_case_name))
+        if (!isOurs(path))
             throw FileError(path.string() + " is not a folder of results (no " +
                             resolved_case_name + " in it), so it is not overwritten");
         emptyFolder(path);

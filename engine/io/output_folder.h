@@ -13,7 +13,8 @@ enum class ExistingResults {
     keep,     ///< --resume: the run goes on in it
 };
 
-/// Name of the file that every results folder holds; a folder without it is never emptied.
+/// Name of the file that is written first into every results folder; a folder without it is never
+/// emptied.
 inline constexpr const char* resolved_case_name = "case.resolved.yaml";
 
 /// The folder of one run, locked while this object lives: a second run in it is refused.

@@ -4,7 +4,9 @@
 
 #include "io/body_selection.h"
 #include "io/hdf5_output.h"
+#include "io/observe.h"
 #include "io/progress.h"
+#include "io/reduce.h"
 #include "io/tecplot.h"
 #include "io/unit_text.h"
 #include "io/vtkhdf.h"
@@ -132,6 +134,8 @@ void registerOutputs(input::Registry& registry) {
     declareVtkHdf(registry);
     declareHdf5(registry);
     declareTecplot(registry);
+    declareObserve(registry);
+    declareReduce(registry);
     declareProgress(registry);
     declareRestart(registry);
 }

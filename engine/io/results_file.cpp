@@ -28,7 +28,10 @@ void ResultsFile::open() {
 
 void ResultsFile::resume() {
     if (file_) return;
-    if (!std::filesystem::exists(path_)) return open();
+    if (!std::filesystem::exists(path_)) {
+        open();
+        return commit(true);
+    }
     file_ = SafeFile::open(path_);
     makeGroups();
     const Reader reader(path_);

@@ -35,17 +35,17 @@ def read_vtu(path):
 
 
 def read_vtkhdf(path):
-    """Number of time steps, all of which open."""
+    """Opens all time steps."""
     reader = vtk.vtkHDFReader()
     errors = _vtk_errors(reader)
     reader.SetFileName(str(path))
     reader.UpdateInformation()
-    steps = reader.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ()
-    for step in steps:
+    steps = reader.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.TIME_STEPS())
+    # A file with one frame is no time series to VTK.
+    for step in steps or [0]:
         reader.UpdateTimeStep(step)
         assert reader.GetOutputDataObject(0).GetNumberOfPoints() > 0, f"{path} at {step} is empty"
     assert not errors, f"{path} does not open"
-    return len(steps)
 
 
 def hdf5_content(path):
@@ -97,6 +97,16 @@ def check_readable(folder, after_kill=False):
         elif path.suffix == ".xml":
             subprocess.run(["xmllint", "--noout", "--schema", SCHEMA, path], check=True,
                            capture_output=True)
+
+
+def content(folder):
+    """The bytes of every file."""
+    return {name: (pathlib.Path(folder) / name).read_bytes() for name in _files(folder)}
+
+
+def changed(before, after):
+    return sorted(str(name) for name in before.keys() | after.keys()
+                  if before.get(name) != after.get(name))
 
 
 def _text_content(path):

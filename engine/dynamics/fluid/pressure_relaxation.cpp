@@ -153,6 +153,23 @@ Lanes ghostPressure(const Wall& wall, const Pairs<Dim>& pair, const float* dista
     return rho * loadLanes(distance) * maxLanes(pull * pair.inverse_dW, Lanes{});
 }
 
+/// Adds sum_j 2 p*_ij e_ij W' V_j over the wall particles j near the fluid particle i.
+template <Riemann R, int Dim, class Wall>
+inline void addWallPressure(const Wall& wall, const NeighborList<Dim>& list, std::size_t i,
+                            const RiemannConstants& constants, const Vec<Dim>& v, const Vec<Dim>& g,
+                            double p, double rho, Lanes sum[Dim]) {
+    const float* distance = list.distancesOf(i);
+    forEachPair(list, i, [&](const Pairs<Dim>& pair) {
+        const WallLanes<Dim> w = wallSide<Dim>(wall, pair, v);
+        const Lanes ghost = ghostPressure<Dim>(wall, pair, distance, g, rho);
+        // The ghost moves with the mirrored normal velocity: closing at twice the speed.
+        const Lanes p2 = 2.0 * p + ghost + pressureJump<R>(constants, 2.0 * w.closing);
+        const Lanes f = p2 * w.V;
+        for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+        distance += lane_count;
+    });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -181,18 +198,8 @@ void PressureRelaxation<Dim>::momentum(double dt) {
             const Vec<Dim> v = velocity_[i];
             const Vec<Dim> g = external_[i];
             for (const Wall& wall : walls_) {
-                const NeighborList<Dim>& list = wall.relation->list;
-                const float* distance = list.distancesOf(i);
-                forEachPair(list, i, [&](const Pairs<Dim>& pair) {
-                    const WallLanes<Dim> w = wallSide<Dim>(wall, pair, v);
-                    const Lanes ghost = ghostPressure<Dim>(wall, pair, distance, g, density_[i]);
-                    // The ghost moves with the mirrored normal velocity: closing at twice the speed.
-                    const Lanes p2 = 2.0 * si.p + ghost +
-                                     pressureJump<R>(constants_, 2.0 * w.closing);
-                    const Lanes f = p2 * w.V;
-                    for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
-                    distance += lane_count;
-                });
+                addWallPressure<R>(wall, wall.relation->list, i, constants_, v, g, si.p,
+                                   density_[i], sum);
             }
             PairState<Dim>& next = after_[i];
             const double factor = -dt * si.V / mass_[i];
@@ -205,6 +212,32 @@ void PressureRelaxation<Dim>::momentum(double dt) {
             next.V = si.V;
         }
     });
+}
+
+template <int Dim>
+Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
+                                          const NeighborList<Dim>& list) const {
+    Vec<Dim> force = Vec<Dim>::Zero();
+    for (const Wall& wall : walls_) {
+        if (wall.relation->to != &solid) continue;
+        withRiemann(riemann_, [&]<Riemann R>() {
+            force = parallelReduce(
+                body_->size(), force,
+                [&](std::size_t begin, std::size_t end) {
+                    Vec<Dim> part = Vec<Dim>::Zero();
+                    for (std::size_t i = begin; i < end; ++i) {
+                        if (list.ranges[i].count == 0) continue;
+                        Lanes sum[Dim] = {};
+                        addWallPressure<R>(wall, list, i, constants_, velocity_[i], external_[i],
+                                           pressure_[i], density_[i], sum);
+                        for (int c = 0; c < Dim; ++c) part[c] += volume_[i] * sumLanes(sum[c]);
+                    }
+                    return part;
+                },
+                [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
+        });
+    }
+    return force;
 }
 
 template <int Dim>

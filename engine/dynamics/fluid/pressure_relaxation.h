@@ -5,6 +5,7 @@
 #include "dynamics/builder.h"
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/riemann.h"
+#include "dynamics/fluid/solid_load.h"
 #include "materials/fluid.h"
 
 namespace sphinx::fluid {
@@ -29,12 +30,16 @@ struct PressureRelaxationParameters {
 /// (turned towards the fluid): the ghost has the mirrored normal velocity (free slip) and the
 /// pressure p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij).
 template <int Dim>
-class PressureRelaxation final : public Method {
+class PressureRelaxation final : public Method, public SolidLoad<Dim> {
    public:
     PressureRelaxation(Context<Dim>& context, Body<Dim>& body, Riemann riemann);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
+
+    LoadKind loadKind() const override { return LoadKind::pressure; }
+    Body<Dim>& fluid() const override { return *body_; }
+    Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const override;
 
     void firstHalf(double dt);
     void secondHalf(double dt);

@@ -6,6 +6,45 @@
 #include "dynamics/pair_loop.h"
 
 namespace sphinx::fluid {
+namespace {
+
+/// Adds (v_ij . e_ij)/r_ij e_ij W' V_j of eight pairs from closing = v_ij . e_ij W':
+/// (v_ij . e) e W'/r V_j = (v_ij . g) g / (W' r) V_j with g = e W' and W' = -abs(W').
+template <int Dim>
+inline void addPairs(const Pairs<Dim>& pair, Lanes closing, Lanes r, Lanes V, Lanes sum[Dim]) {
+    const Lanes f = -closing * pair.inverse_dW * V / maxLanes(r, lanes(1e-30));
+    for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+}
+
+/// The same over the wall particles near the fluid particle i, with the velocity continued into
+/// the wall. `nearest`: least distance of a fluid particle from the wall that is told apart.
+template <int Dim, class Wall>
+inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t i,
+                    const Vec<Dim>& v, double nearest, Lanes sum[Dim]) {
+    const float* r = list.distancesOf(i);
+    forEachPair(list, i, [&](const Pairs<Dim>& pair) {
+        Lanes closing = {};
+        for (int k = 0; k < lane_count; ++k) {
+            const Index j = pair.index[k];
+            const Vec<Dim>& vw = (*wall.velocity)[j];
+            const Vec<Dim>& n = (*wall.normal)[j];
+            double apart = 0;  // of the two particles, across the wall's surface
+            double speed = 0;
+            for (int c = 0; c < Dim; ++c) {
+                apart -= n[c] * pair.gradient[c][k];
+                speed += (v[c] - vw[c]) * pair.gradient[c][k];
+            }
+            apart = std::abs(apart) * pair.inverse_dW[k] * r[k];
+            const double depth = (*wall.depth)[j];
+            closing[k] = speed * (1 + depth / std::max(apart - depth, nearest));
+        }
+        addPairs<Dim>(pair, closing, loadLanes(r), gatherLanes(wall.volume->data(), pair.index),
+                      sum);
+        r += lane_count;
+    });
+}
+
+}  // namespace
 
 template <int Dim>
 ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip slip)
@@ -37,11 +76,6 @@ void ViscousForce<Dim>::run(int, const Clock&) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vec<Dim> v = velocity_[i];
             Lanes sum[Dim] = {};
-            // (v_ij . e) e W'/r V_j = (v_ij . g) g / (W' r) V_j with g = e W' and W' = -abs(W').
-            const auto add = [&](const Pairs<Dim>& pair, Lanes closing, Lanes r, Lanes V) {
-                const Lanes f = -closing * pair.inverse_dW * V / maxLanes(r, lanes(1e-30));
-                for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
-            };
             const float* distance = self_->list.distancesOf(i);
             forEachPair(self_->list, i, [&](const Pairs<Dim>& pair) {
                 Lanes closing = {};
@@ -49,35 +83,40 @@ void ViscousForce<Dim>::run(int, const Clock&) {
                     const Vec<Dim>& vj = velocity_[pair.index[k]];
                     for (int c = 0; c < Dim; ++c) closing[k] += (v[c] - vj[c]) * pair.gradient[c][k];
                 }
-                add(pair, closing, loadLanes(distance), gatherLanes(volume_.data(), pair.index));
+                addPairs<Dim>(pair, closing, loadLanes(distance),
+                              gatherLanes(volume_.data(), pair.index), sum);
                 distance += lane_count;
             });
-            for (const Wall& wall : walls_) {
-                const float* r = wall.relation->list.distancesOf(i);
-                forEachPair(wall.relation->list, i, [&](const Pairs<Dim>& pair) {
-                    Lanes closing = {};
-                    for (int k = 0; k < lane_count; ++k) {
-                        const Index j = pair.index[k];
-                        const Vec<Dim>& vw = (*wall.velocity)[j];
-                        const Vec<Dim>& n = (*wall.normal)[j];
-                        double apart = 0;  // of the two particles, across the wall's surface
-                        double speed = 0;
-                        for (int c = 0; c < Dim; ++c) {
-                            apart -= n[c] * pair.gradient[c][k];
-                            speed += (v[c] - vw[c]) * pair.gradient[c][k];
-                        }
-                        apart = std::abs(apart) * pair.inverse_dW[k] * r[k];
-                        const double depth = (*wall.depth)[j];
-                        closing[k] = speed * (1 + depth / std::max(apart - depth, nearest_));
-                    }
-                    add(pair, closing, loadLanes(r), gatherLanes(wall.volume->data(), pair.index));
-                    r += lane_count;
-                });
-            }
+            for (const Wall& wall : walls_)
+                addWall<Dim>(wall, wall.relation->list, i, v, nearest_, sum);
             const double scale = factor * volume_[i] / mass_[i];
             for (int c = 0; c < Dim; ++c) external_[i][c] += scale * sumLanes(sum[c]);
         }
     });
+}
+
+template <int Dim>
+Vec<Dim> ViscousForce<Dim>::forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const {
+    Vec<Dim> force = Vec<Dim>::Zero();
+    const double factor = -2 * (Dim + 2) * mu_;
+    for (const Wall& wall : walls_) {
+        if (wall.relation->to != &solid) continue;
+        force = parallelReduce(
+            body_->size(), force,
+            [&](std::size_t begin, std::size_t end) {
+                Vec<Dim> part = Vec<Dim>::Zero();
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (list.ranges[i].count == 0) continue;
+                    Lanes sum[Dim] = {};
+                    addWall<Dim>(wall, list, i, velocity_[i], nearest_, sum);
+                    for (int c = 0; c < Dim; ++c)
+                        part[c] += factor * volume_[i] * sumLanes(sum[c]);
+                }
+                return part;
+            },
+            [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
+    }
+    return force;
 }
 
 void declareViscousForce(input::Registry& registry) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/builder.h"
+#include "dynamics/fluid/solid_load.h"
 #include "materials/fluid.h"
 
 namespace sphinx::fluid {
@@ -20,12 +21,16 @@ struct ViscousForceParameters {
 /// through the wall's surface: v_ij = (v_i - v_w) (1 + d_j/d_i) with the distances of both particles
 /// from the surface; Morris, Fox & Zhu 1997, doi:10.1006/jcph.1997.5776, (31)-(32).
 template <int Dim>
-class ViscousForce final : public Method {
+class ViscousForce final : public Method, public SolidLoad<Dim> {
    public:
     ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip slip);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
+
+    LoadKind loadKind() const override { return LoadKind::viscous; }
+    Body<Dim>& fluid() const override { return *body_; }
+    Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const override;
 
    private:
     struct Wall {

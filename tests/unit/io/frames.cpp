@@ -18,24 +18,6 @@ using namespace sphinx::test;
 
 namespace {
 
-/// Gives an output the number of frames that a restart would give it.
-class FramesArchive final : public Archive {
- public:
-    explicit FramesArchive(std::int64_t frames) : frames_(frames) {}
-    bool loading() const override { return true; }
-    void value(std::string_view, double&) override { FAIL("no number expected"); }
-    void value(std::string_view, std::string&) override { FAIL("no text expected"); }
-    void value(std::string_view name, std::int64_t& v) override {
-        CHECK(name == "frames");
-        v = frames_;
-    }
-    void enter(std::string_view) override {}
-    void leave() override {}
-
- private:
-    std::int64_t frames_;
-};
-
 Clock clockOf(int frame) {
     Clock clock;
     clock.time = 0.5 * frame;
@@ -48,7 +30,15 @@ void writeFrames(Output& output, Body<2>& body, int begin, int end) {
         setValues(body, frame);
         output.write(clockOf(frame));
     }
+}
+
+/// Writes frames and returns the state that a restart after `saved` of them holds.
+SavedState writeFramesFrom(Output& output, Body<2>& body, int saved, int end) {
+    writeFrames(output, body, 0, saved);
+    const SavedState state(output);
+    writeFrames(output, body, saved, end);
     output.finish();
+    return state;
 }
 
 std::vector<std::string> names(const Path& folder) {
@@ -87,13 +77,12 @@ TEST_CASE("VTU frames behind the resumed state are dropped, and numbers go on") 
     auto body = makeBody<2>("water", 5);
     const VtuParameters parameters{folder.path(), false, {}, {}};
     VtuOutput<2> first(parameters, {{body.get(), {}}});
-    writeFrames(first, *body, 0, 5);
+    const SavedState saved = writeFramesFrom(first, *body, 2, 5);
     File::create(folder / "water_000005.vtu.tmp").write("unfinished");
     File::create(folder / "water_level_000004.vtu").write("of another body");
 
     VtuOutput<2> second(parameters, {{body.get(), {}}});
-    FramesArchive archive(2);
-    second.transfer(archive);
+    saved.restore(second);
     second.resume(clockOf(1));
     CHECK(names(folder.path()) == std::vector<std::string>{"water.pvd", "water_000000.vtu",
                                                            "water_000001.vtu",
@@ -125,10 +114,9 @@ TEST_CASE("Tecplot frames behind the resumed state are dropped") {
     auto empty = makeBody<2>("air", 0);
     const TecplotParameters parameters{folder.path(), {}, {{{"commit", "a\"b"}}}};
     TecplotOutput<2> first(parameters, {{body.get(), {}}, {empty.get(), {}}});
-    writeFrames(first, *body, 0, 3);
+    const SavedState saved = writeFramesFrom(first, *body, 1, 3);
     TecplotOutput<2> second(parameters, {{body.get(), {}}});
-    FramesArchive archive(1);
-    second.transfer(archive);
+    saved.restore(second);
     second.resume(clockOf(1));
     CHECK(names(folder.path()) == std::vector<std::string>{"water_000000.dat"});
     const std::string text = readFile(folder / "water_000000.dat", 10000);
@@ -150,11 +138,10 @@ TEST_CASE("HDF5 frames behind the resumed state are dropped") {
     auto body = makeBody<2>("water", 5);
     Hdf5Output<2> first({}, std::make_shared<ResultsFile>(path, Provenance{}),
                         {{body.get(), {"pressure"}}});
-    writeFrames(first, *body, 0, 5);
+    const SavedState saved = writeFramesFrom(first, *body, 2, 5);
     Hdf5Output<2> second({}, std::make_shared<ResultsFile>(path, Provenance{}),
                          {{body.get(), {"velocity"}}});
-    FramesArchive archive(2);
-    second.transfer(archive);
+    saved.restore(second);
     second.resume(clockOf(1));
     CHECK(hdf5::Reader(path).numbers("bodies/water/time") == std::vector<double>{0, 0.5});
     writeFrames(second, *body, 2, 4);
@@ -173,10 +160,9 @@ TEST_CASE("a VTKHDF file with other fields is kept beside the new one") {
     auto body = makeBody<2>("water", 5);
     const VtkHdfParameters parameters{folder.path(), false, {}, {}};
     VtkHdfOutput<2> first(parameters, {{body.get(), {"pressure"}}});
-    writeFrames(first, *body, 0, 3);
+    const SavedState saved = writeFramesFrom(first, *body, 2, 3);
     VtkHdfOutput<2> second(parameters, {{body.get(), {"velocity"}}});
-    FramesArchive archive(2);
-    second.transfer(archive);
+    saved.restore(second);
     second.resume(clockOf(1));
     writeFrames(second, *body, 2, 3);
     CHECK(names(folder.path()) ==

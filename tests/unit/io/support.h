@@ -3,7 +3,9 @@
 #pragma once
 
 #include "bodies/body.h"
+#include "core/output.h"
 #include "io/file.h"
+#include "io/xml_archive.h"
 
 #include <cstdlib>
 #include <memory>
@@ -35,6 +37,28 @@ class TemporaryFolder {
 
  private:
     io::Path path_;
+};
+
+/// State of an output as a restart keeps it.
+class SavedState {
+ public:
+    explicit SavedState(Output& output) {
+        io::XmlSaveArchive archive;
+        output.transfer(archive);
+        xml_ = "<state>" + archive.xml() + "</state>";
+    }
+    void restore(Output& output) const {
+        const TemporaryFolder folder;
+        io::writeFileAtomically(folder / "state.xml", xml_);
+        io::XmlReader reader(folder / "state.xml");
+        io::XmlElement element;
+        reader.next(element);
+        io::XmlLoadArchive archive(reader, folder / "state.xml");
+        output.transfer(archive);
+    }
+
+ private:
+    std::string xml_;
 };
 
 /// Particles with velocity, pressure, mass and strain, all zero but mass.

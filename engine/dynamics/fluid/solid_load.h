@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/body.h"
+#include "neighbors/neighbor_list.h"
+
+namespace sphinx::fluid {
+
+enum class LoadKind { pressure, viscous };
+
+/// A method by which a fluid and the solids that it sees push each other: says how large the force
+/// is, without acting. What the solid gets is what the method takes from the fluid, by the same
+/// pair terms.
+template <int Dim>
+class SolidLoad {
+   public:
+    virtual ~SolidLoad() = default;
+
+    virtual LoadKind loadKind() const = 0;
+    virtual Body<Dim>& fluid() const = 0;
+    /// Sum of the forces on the solid at the present state; zero when the method does not act on it.
+    /// `list`: the fluid's neighbors in the solid at the present positions, with distances.
+    virtual Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const = 0;
+};
+
+}  // namespace sphinx::fluid

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "io/reduce_force.h"
+
+#include "io/series_columns.h"
+#include "io/unit_text.h"
+
+#include <algorithm>
+
+namespace sphinx::io {
+
+template <int Dim>
+ForceSource<Dim>::ForceSource(const Body<Dim>& solid,
+                              const std::vector<const fluid::SolidLoad<Dim>*>& loads,
+                              Relations<Dim>& relations, const input::UnitSystem& units)
+    : solid_(&solid), relations_(&relations) {
+    for (const fluid::SolidLoad<Dim>* load : loads) {
+        const auto same = [&](const FluidLoads& one) {
+            return one.relation.from == &load->fluid();
+        };
+        auto place = std::find_if(fluids_.begin(), fluids_.end(), same);
+        if (place == fluids_.end()) {
+            FluidLoads& fluid = fluids_.emplace_back();
+            fluid.relation.from = &load->fluid();
+            // A list only reads both of its bodies.
+            fluid.relation.to = const_cast<Body<Dim>*>(&solid);
+            fluid.relation.list.keep_distance = true;
+            place = fluids_.end() - 1;
+        }
+        place->loads.push_back(load);
+    }
+    const std::string force = unitText(unit::force, units);
+    const std::vector<std::string> axes = componentLabels<Dim>(Rank::vector);
+    quantities_ = {{"pressure_force", force, "by the pressure of the fluids", axes},
+                   {"viscous_force", force, "by the viscosity of the fluids", axes},
+                   {"force", force, "of the fluids on the body", axes}};
+}
+
+template <int Dim>
+void ForceSource<Dim>::sample(const Clock&, std::span<double> row) {
+    Vec<Dim> pressure = Vec<Dim>::Zero();
+    Vec<Dim> viscous = Vec<Dim>::Zero();
+    for (FluidLoads& fluid : fluids_) {
+        relations_->update(fluid.relation);
+        for (const fluid::SolidLoad<Dim>* load : fluid.loads)
+            (load->loadKind() == fluid::LoadKind::pressure ? pressure : viscous) +=
+                load->forceOn(*solid_, fluid.relation.list);
+    }
+    for (int k = 0; k < Dim; ++k) {
+        row[k] = pressure[k];
+        row[Dim + k] = viscous[k];
+        row[2 * Dim + k] = pressure[k] + viscous[k];
+    }
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> makeForceSource(const Body<Dim>& solid, const input::Place& place,
+                                              const OutputContext<Dim>& context) {
+    std::vector<const fluid::SolidLoad<Dim>*> loads;
+    for (const Method* method : context.methods) {
+        const auto* load = dynamic_cast<const fluid::SolidLoad<Dim>*>(method);
+        if (!load) continue;
+        const std::vector<Body<Dim>*>& seen = load->fluid().sees;
+        if (std::find(seen.begin(), seen.end(), &solid) != seen.end()) loads.push_back(load);
+    }
+    if (loads.empty())
+        failAt(place, "there is no force on '" + solid.name +
+                          "' to be summed: no fluid that the loop moves sees it");
+    return std::make_unique<ForceSource<Dim>>(solid, loads, context.relations, context.units);
+}
+
+template class ForceSource<2>;
+template class ForceSource<3>;
+template std::unique_ptr<SeriesSource> makeForceSource<2>(const Body<2>&, const input::Place&,
+                                                          const OutputContext<2>&);
+template std::unique_ptr<SeriesSource> makeForceSource<3>(const Body<3>&, const input::Place&,
+                                                          const OutputContext<3>&);
+
+}  // namespace sphinx::io

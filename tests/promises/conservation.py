@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""Mass is kept exactly and momentum to rounding; a uniform drift changes nothing."""
+
+import math
+import unittest
+
+import numpy as np
+from vtk.util.numpy_support import vtk_to_numpy
+
+import results
+from support import Promise, last_restart, load_case
+
+# Part of sum m|v|: the pair forces cancel exactly, what remains is the rounding of sums.
+MOMENTUM_DRIFT = 1e-12
+# In particle spacings, as for a mirrored run.
+POSITION_ERROR = 1e-9
+SPACING = 0.05
+PERIODIC_2D = {"lower": [-1, -1], "upper": [1, 1], "periodic": ["x", "y"]}
+# "As good as random" in each direction.
+NOISE = ["0.3*sin(1000*sin(12.9898*x + 78.233*y + 37.719*z))",
+         "0.3*sin(1000*cos(39.3468*x - 11.135*y + 83.155*z))",
+         "0.3*sin(1000*sin(73.156*x + 52.235*y - 9.151*z))"]
+SOLID_3D = {
+    "dimension": 3,
+    "domain": {"lower": [-1, -1, -1], "upper": [1, 1, 1]},
+    "geometry": {"drop": {"sphere": {"center": [0, 0, 0], "radius": 0.5}}},
+    "bodies__water__initial": {"velocity": NOISE},
+    "variables__spacing": 0.1,
+}
+
+
+def first_frame(output, field):
+    """By id, as the run began."""
+    data = results.read_vtu(output / "water_000000.vtu").GetPointData()
+    values = vtk_to_numpy(data.GetArray(field))
+    return values[np.argsort(vtk_to_numpy(data.GetArray("id")))]
+
+
+def momentum(mass, velocity):
+    return np.array([math.fsum(mass * velocity[:, k]) for k in range(velocity.shape[1])])
+
+
+class Conservation(Promise):
+    def mass_and_momentum_kept(self, **changes):
+        case, output = self.case("free_2d", **changes), self.folder / "out"
+        self.sphinx(case, output)
+        after = last_restart(output)
+        mass, velocity = first_frame(output, "mass"), first_frame(output, "velocity")
+        velocity = velocity[:, :after.values("water", "velocity").shape[1]]
+        self.assertEqual(mass.tobytes(), after.by_id("water", "mass").tobytes())
+        moved = np.abs(after.by_id("water", "velocity") - velocity).max()
+        self.assertGreater(moved, 0.1, "nothing happened")
+        drift = momentum(mass, after.by_id("water", "velocity")) - momentum(mass, velocity)
+        size = math.fsum(mass * np.linalg.norm(velocity, axis=1))
+        print(f"{len(mass)} particles, {after.steps} steps: momentum drift "
+              f"{np.abs(drift).max() / size:.1e} of sum m|v|")
+        self.assertGreaterEqual(after.steps, 200)
+        self.assertLessEqual(np.abs(drift).max(), MOMENTUM_DRIFT * size)
+
+    def test_drop(self):
+        self.mass_and_momentum_kept()
+
+    def test_drop_tait_dissipative(self):
+        self.mass_and_momentum_kept(materials__fresh_water__equation_of_state="tait",
+                                    dynamics__pressure_relaxation__riemann="dissipative")
+
+    def test_drop_3d(self):
+        self.mass_and_momentum_kept(**SOLID_3D)
+
+    def test_periodic_block(self):
+        self.mass_and_momentum_kept(
+            domain=PERIODIC_2D, geometry={"drop": {"box": {"lower": [-1, -1], "upper": [1, 1]}}},
+            dynamics__density_summation__surface="confined")
+
+    def test_mass_with_walls(self):
+        case, output = self.case("splash_2d"), self.folder / "out"
+        self.sphinx(case, output)
+        self.assertEqual(first_frame(output, "mass").tobytes(),
+                         last_restart(output).by_id("water", "mass").tobytes())
+
+    def test_drifting_block(self):
+        noise = load_case("free_2d")["bodies"]["water"]["initial"]["velocity"]
+        found = {}
+        # The drift carries the block around the box once and a half.
+        for name, (u, v) in {"rest": (0, 0), "drift": (7.3, -5.1)}.items():
+            velocity = [f"{u} + {noise[0]}", f"{v} + {noise[1]}"]
+            case = self.case("free_2d", domain=PERIODIC_2D,
+                             geometry={"drop": {"box": {"lower": [-0.5, -0.5], "upper": [0.5, 0.5]}}},
+                             bodies__water__initial={"velocity": velocity})
+            self.sphinx(case, self.folder / name)
+            restart = last_restart(self.folder / name)
+            found[name] = restart.by_id("water", "position") - restart.time * np.array([u, v])
+        difference = found["drift"] - found["rest"]
+        difference -= 2 * np.round(difference / 2)  # the box is 2 wide
+        print(f"drifting block: {np.abs(difference).max() / SPACING:.1e} spacings off")
+        self.assertLessEqual(np.abs(difference).max(), POSITION_ERROR * SPACING)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,152 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""Runs that blow up or cannot write stop with one message and damage nothing."""
+
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import unittest
+
+import numpy as np
+
+import results
+from support import Promise, Restart, last_restart, restarts
+
+NOBODY = 65534
+LOOP = ("[density_summation, viscosity, gravity, {layer: acoustic, dt: 0.02, "
+        "steps: [pressure_relaxation.first_half, pressure_relaxation.second_half]}, neighbors]")
+
+
+class BlownUp(Promise):
+    def fails(self, said):
+        """The message, of which there is one."""
+        lines = [line for line in said.splitlines() if line.startswith("error: ")]
+        self.assertEqual(len(lines), 1, said)
+        return lines[0]
+
+    def stops(self, *changes):
+        output = self.folder / "out"
+        arguments = [word for change in changes for word in ("--set", change)]
+        case = self.case("splash_2d", outputs__restart__every={"steps": 1})
+        said = self.sphinx(case, output, *arguments, expect=3)
+        message = self.fails(said)
+        self.assertIn(message.removeprefix("error: "), (output / "log.txt").read_text())
+        results.check_readable(output)
+        self.assertTrue((output / "failed/water_000000.vtu").exists())
+        self.assertTrue((output / "failed/wall_000000.vtu").exists())
+        return output, message
+
+    def test_number_that_stops_being_one(self):
+        # The square root of a negative number from 0.3 on.
+        force = "{type: force.body_force, body: water, acceleration: ['sqrt(0.3 - t)', -1]}"
+        output, message = self.stops(f"dynamics.gravity={force}")
+        self.assertRegex(message, r"^error: velocity of particle \d+ of water at \(.*\) is -?nan "
+                                  r"after \S+ at time 0\.3\d*;")
+        self.good_restarts(output, 0.25)
+
+    def test_blow_up(self):
+        # Far above the limit of stability: particles fly apart within some steps.
+        output, message = self.stops("loop.dt=0.02", "loop.steps=" + LOOP)
+        self.assertRegex(message, r"particle \d+ of water left the domain at \(.*\), time \S+")
+        self.good_restarts(output, 0.02)
+
+    def good_restarts(self, output, time):
+        kept = restarts(output)
+        self.assertTrue(kept)
+        for path in kept.values():
+            self.assertGreaterEqual(Restart(path).time, time)
+            for field in ("position", "velocity", "density"):
+                self.assertTrue(np.isfinite(Restart(path).values("water", field)).all(), path)
+
+
+class CannotWrite(Promise):
+    """A run gets into trouble, keeps its last good restart and goes on when there is room again."""
+
+    def setUp(self):
+        super().setUp()
+        self.case_file = self.case("splash_2d")
+        self.whole = self.folder / "whole"
+        self.sphinx(self.case_file, self.whole)
+
+    def goes_on(self, output, said):
+        self.assertRegex(said, r"error: cannot \S+ .*: \S+")
+        results.check_readable(output, after_kill=True)
+        stopped = restarts(output)
+        self.sphinx(self.case_file, output, *(["--resume"] if stopped else ["--overwrite"]))
+        self.assert_same_physics(last_restart(output), last_restart(self.whole))
+        self.assertEqual(results.differences(self.whole, output), [])
+        results.check_readable(output)
+        return stopped
+
+    def test_file_size_limit(self):
+        sizes = sorted(p.stat().st_size for p in self.whole.rglob("*") if p.is_file())
+        largest = sizes[-1]
+        resumed = 0
+        for part in (0.05, 0.2, 0.5, 0.7, 0.9, 0.97):
+            with self.subTest(part=part):
+                limit = int(part * largest)
+
+                def few_bytes():
+                    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
+                output = self.folder / f"limit_{part}"
+                said = self.sphinx(self.case_file, output, expect=4, preexec_fn=few_bytes,
+                                   restore_signals=False)
+                self.assertIn("File too large", said)
+                resumed += bool(self.goes_on(output, said))
+        self.assertGreater(resumed, 1)
+
+    def test_full_disk(self):
+        disk = self.folder / "disk"
+        disk.mkdir()
+        whole_size = sum(p.stat().st_size for p in self.whole.rglob("*") if p.is_file())
+        resumed = 0
+        for part in (0.1, 0.4, 0.6, 0.8, 0.9):
+            with self.subTest(part=part):
+                mount = ["mount", "-t", "tmpfs", "-o", f"size={int(part * whole_size)}", "none", disk]
+                if subprocess.run(mount, capture_output=True).returncode:
+                    self.skipTest("only the superuser can mount a small disk")
+                try:
+                    output = disk / "out"
+                    said = self.sphinx(self.case_file, output, expect=4)
+                    self.assertIn("No space left on device", said)
+                    results.check_readable(output, after_kill=True)
+                    subprocess.run(["mount", "-o", "remount,size=1g", disk], check=True)
+                    resumed += bool(self.goes_on(output, said))
+                finally:
+                    subprocess.run(["umount", disk], check=True)
+        self.assertGreater(resumed, 1)
+
+    def as_nobody(self):
+        """Options that run a process without the superuser's rights."""
+        if os.geteuid() != 0:
+            return {}
+        os.chmod(self.folder, 0o755)
+        return {"user": NOBODY, "group": NOBODY, "extra_groups": []}
+
+    def test_read_only_folder(self):
+        parent = self.folder / "read_only"
+        parent.mkdir(mode=0o555)
+        output = parent / "out"
+        said = self.sphinx(self.case_file, output, expect=4, **self.as_nobody())
+        self.assertIn("Permission denied", said)
+        self.assertFalse(output.exists())
+
+        shutil.copytree(self.whole, self.folder / "kept")
+        kept = self.folder / "kept"
+        before = results.content(kept)
+        for folder in (kept, kept / "restart"):
+            folder.chmod(0o555)
+        for arguments in (["--resume", "--set", "loop.end_time=2"], ["--overwrite"]):
+            said = self.sphinx(self.case_file, kept, *arguments, expect=4, **self.as_nobody())
+            self.assertIn("Permission denied", said)
+            self.assertEqual(results.changed(before, results.content(kept)), [])
+        for folder in (kept, kept / "restart"):
+            folder.chmod(0o755)
+
+
+if __name__ == "__main__":
+    unittest.main()

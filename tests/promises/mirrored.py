@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""A mirrored or turned case moves as the mirrored or turned original."""
+
+import random
+import unittest
+
+import numpy as np
+
+from support import Promise, last_restart, load_case
+
+SPACING = 0.05
+STEPS = 200
+# In spacings: rounding differs (sums run in another order) and grows with the motion.
+POSITION_ERROR = 1e-9
+
+# Of a point, and of a velocity or acceleration, to the new place; and the old x, y of a new point.
+TURNS = {
+    "original": (lambda x, y: (x, y), ("x", "y")),
+    "mirrored": (lambda x, y: (-x, y), ("(-x)", "y")),
+    "turned": (lambda x, y: (-y, x), ("y", "(-x)")),
+}
+
+
+def velocity_text(turn):
+    """Of a velocity field, as expressions of the new coordinates."""
+    _, (x, y) = TURNS[turn]
+    u = f"(0.3*sin(3*{x} + {y}) + 0.1*{x})"
+    v = f"(0.2*cos(2*{x} - {y}) - 0.1*{y})"
+    return {"original": [u, v], "mirrored": [f"-{u}", v], "turned": [f"-{v}", u]}[turn]
+
+
+def box(turn, lower, upper):
+    corners = np.array([TURNS[turn][0](*lower), TURNS[turn][0](*upper)])
+    return {"box": {"lower": corners.min(axis=0).tolist(), "upper": corners.max(axis=0).tolist()}}
+
+
+def splash(turn):
+    """A block of shaken particles falls in a tank that is not symmetric itself."""
+    chance = random.Random(1)
+    case = load_case("splash_2d")
+    case["geometry"]["inside"] = box(turn, (-0.45, 0), (0.8, 0.8))
+    del case["geometry"]["column"]
+    points = []
+    for i in range(14):
+        for k in range(12):
+            x = (i - 8.5) * SPACING + 0.1 * SPACING * chance.uniform(-1, 1)
+            y = (k + 0.5) * SPACING + 0.1 * SPACING * chance.uniform(-1, 1)
+            points.append([*TURNS[turn][0](x, y), SPACING**2])
+    water = case["bodies"]["water"]
+    del water["shape"]
+    water["particles"] = points
+    water["initial"] = {"velocity": velocity_text(turn)}
+    case["dynamics"]["gravity"]["acceleration"] = list(TURNS[turn][0](0, -1))
+    for observer in ("probe", "buoy"):
+        case["bodies"].pop(observer)
+        case["topology"].pop(observer)
+    case["outputs"] = {"restart": {"type": "restart", "every": {"steps": STEPS}, "keep": 100}}
+    case["loop"]["end_time"] = 2.2
+    return case
+
+
+class Mirrored(Promise):
+    def test_mirrored_and_turned(self):
+        position = {}
+        for turn in TURNS:
+            self.sphinx(self.write_case(turn, splash(turn)), self.folder / f"{turn}_out")
+            restart = last_restart(self.folder / f"{turn}_out")
+            self.assertGreaterEqual(restart.steps, STEPS)
+            position[turn] = restart.by_id("water", "position")
+        start = np.array([p[:2] for p in splash("original")["bodies"]["water"]["particles"]])
+        self.assertGreater(np.abs(position["original"] - start).max(), 5 * SPACING, "nothing moved")
+        for turn in ("mirrored", "turned"):
+            x, y = position["original"].T
+            error = np.abs(position[turn] - np.array(TURNS[turn][0](x, y)).T).max() / SPACING
+            print(f"{turn}: {error:.1e} spacings off")
+            self.assertLessEqual(error, POSITION_ERROR)
+
+
+if __name__ == "__main__":
+    unittest.main()

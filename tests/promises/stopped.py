@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""SIGINT, SIGTERM and --time-limit write a restart, from which the run goes on with the same bits."""
+
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+import results
+from support import SECONDS, Promise, command, last_restart, restarts
+
+# Some seconds of stepping.
+CHANGES = {"variables__spacing": 0.0125, "loop__end_time": 0.6}
+
+
+class Stopped(Promise):
+    def setUp(self):
+        super().setUp()
+        self.case_file = self.case("splash_2d", **CHANGES)
+
+    def stopped_by(self, number, output, *arguments):
+        """Steps made before the signal ended the run."""
+        process = subprocess.Popen(command(self.case_file, output, *arguments),
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        for line in process.stdout:
+            if re.match(r"time .* step [1-9]", line):
+                break
+        process.send_signal(number)
+        said, _ = process.communicate(timeout=SECONDS)
+        self.assertEqual(process.returncode, 128 + number, said)
+        self.assertIn("go on with --resume", said)
+        results.check_readable(output)
+        return last_restart(output).steps
+
+    def test_signals_and_second_resume(self):
+        whole, parts = self.folder / "whole", self.folder / "parts"
+        self.sphinx(self.case_file, whole)
+        first = self.stopped_by(signal.SIGINT, parts)
+        second = self.stopped_by(signal.SIGTERM, parts, "--resume")
+        self.assertGreater(first, 0)
+        self.assertGreater(second, first)
+        self.sphinx(self.case_file, parts, "--resume")
+        self.assert_same_physics(last_restart(parts), last_restart(whole))
+        self.assertEqual(results.differences(whole, parts), [])
+
+    def test_time_limit(self):
+        whole, parts = self.folder / "whole", self.folder / "parts"
+        self.sphinx(self.case_file, whole)
+        begin = time.monotonic()
+        said = self.sphinx(self.case_file, parts, "--time-limit", "0.3s")
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertIn("the time limit of 0.3 s is over; go on with --resume", said)
+        stopped = last_restart(parts)
+        self.assertGreater(stopped.steps, 0)
+        self.assertLess(stopped.steps, last_restart(whole).steps)
+        while "go on with --resume" in said:
+            said = self.sphinx(self.case_file, parts, "--resume", "--time-limit", "0.5s")
+        self.assert_same_physics(last_restart(parts), last_restart(whole))
+        self.assertEqual(results.differences(whole, parts), [])
+
+    def test_without_restarts_nothing_is_promised(self):
+        case = self.case("splash_2d", **CHANGES, outputs={})
+        said = self.sphinx(case, self.folder / "out", "--time-limit", "0.1s")
+        self.assertIn("no output of this run was a restart", said)
+        self.assertEqual(restarts(self.folder / "out"), {})
+        said = self.sphinx(case, self.folder / "out", "--resume", expect=4)
+        self.assertIn("no valid restart in", said)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""Water at rest: hydrostatic pressure, hardly any motion, the weight on the bottom.
+
+The compressed fluid has p = c^2 (exp(g d/c^2) - 1) at the depth d below its surface. The surface is
+where the particles say: their lattice starts from a full square, so it lies at y = 1.
+"""
+
+import numpy as np
+
+import checks
+
+LENGTH, SOUND_SPEED2 = 2.0, 100 * 2.0  # c^2 = 100 * 2 g H
+
+# Of rho g H, of rho g H^2 L and of the weight. Measured at H/12.5, H/25 and H/50: README.md.
+PROFILE_LIMIT = 0.015
+ENERGY_LIMIT = 1e-4
+WEIGHT_LIMIT = 0.01
+
+
+def exact(y):
+    return SOUND_SPEED2 * (np.exp((1 - y) / SOUND_SPEED2) - 1)
+
+
+def measure(spacing):
+    """Gauge heights, mean pressures there, and the three figures of the test."""
+    run = checks.Run("hydrostatic_tank_2d/case.yaml", f"variables.spacing={spacing!r}")
+    pressure = run.series("pressure")
+    last = pressure["time"] > 9
+    names = [name for name in pressure if name.startswith("pressure_")]
+    y = np.linspace(spacing, 1 - 2 * spacing, len(names))
+    p = np.array([pressure[name][last].mean() for name in names])
+    energy = run.series("energy")
+    force = run.series("force")
+    return {
+        "y": y,
+        "p": p,
+        "profile": np.sqrt(np.mean((p - exact(y)) ** 2)),
+        "energy at the end": energy["kinetic"][-1] / LENGTH,
+        "largest energy": energy["kinetic"].max() / LENGTH,
+        "weight": -force["force_y"][force["time"] > 9].mean() / LENGTH - 1,
+    }
+
+
+def main():
+    options = checks.arguments()
+    if options.study:
+        for spacing in (0.08, 0.04, 0.02):
+            found = measure(spacing)
+            print(f"| 1/{1 / spacing:g} | {100 * found['profile']:.2f} | "
+                  f"{found['energy at the end']:.1e} | {found['largest energy']:.1e} | "
+                  f"{100 * found['weight']:+.2f} |")
+        return
+    found = measure(0.04)
+    if options.plot:
+        figure, axes = checks.new_plot(5.5, 4.5)
+        axes.plot(exact(found["y"]), found["y"], "k-", label="closed form")
+        axes.plot(found["p"], found["y"], "o", label="gauge, mean over 9 < t < 10")
+        axes.set(xlabel="pressure / (rho g H)", ylabel="y / H", title="Hydrostatic tank, spacing H/25")
+        axes.legend()
+        checks.save_plot(figure, "hydrostatic_tank_2d", "pressure.png")
+        return
+    report = checks.Report()
+    report.check("rms error of the pressure / (rho g H)", found["profile"], 0, PROFILE_LIMIT)
+    report.check("kinetic energy / (rho g H^2 L) at the end", found["energy at the end"], 0, ENERGY_LIMIT)
+    report.check("the same, largest over time", found["largest energy"], 0, ENERGY_LIMIT)
+    report.check("force on the tank less the weight, of the weight", found["weight"],
+                 -WEIGHT_LIMIT, WEIGHT_LIMIT)
+    report.end()
+
+
+main()

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input/reader.h"
+#include "input/yaml.h"
+#include "io/register.h"
+#include "io/series.h"
+#include "materials/fluid.h"
+#include "support.h"
+
+#include <map>
+#include <utility>
+
+namespace sphinx::test {
+
+/// A world of lattices, for outputs that look at particles.
+template <int Dim>
+struct Scene {
+    World<Dim> world;
+    Relations<Dim> relations{world};
+    double spacing = 0.1;
+
+    Body<Dim>& add(const std::string& name, BodyKind kind) {
+        auto body = std::make_unique<Body<Dim>>();
+        body->name = name;
+        body->kind = kind;
+        body->spacing = spacing;
+        body->kernel = Kernel<Dim>(KernelType::wendland_c2, 1.3 * spacing, spacing);
+        world.bodies.push_back(std::move(body));
+        return *world.bodies.back();
+    }
+    /// Points of a lattice with faces at multiples of the spacing, as long as they are in the box.
+    Body<Dim>& fill(Body<Dim>& body, const Box<Dim>& box) {
+        Vec<Dim> first;
+        for (int k = 0; k < Dim; ++k)
+            first[k] = (std::round(box.lower[k] / spacing) + 0.5) * spacing;
+        std::vector<Vec<Dim>> points;
+        std::array<int, Dim> n{};
+        for (;;) {
+            Vec<Dim> x = first;
+            for (int k = 0; k < Dim; ++k) x[k] += n[k] * spacing;
+            if (box.contains(x)) points.push_back(x);
+            int k = 0;
+            while (k < Dim && !(first[k] + ++n[k] * spacing < box.upper[k])) n[k++] = 0;
+            if (k == Dim) break;
+        }
+        return place(body, points);
+    }
+    Body<Dim>& place(Body<Dim>& body, const std::vector<Vec<Dim>>& points) {
+        const std::size_t before = body.size();
+        body.particles.append(points.size());
+        Field<double>& volume = body.particles.scalar(fields::volume);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            body.particles.position()[before + i] = points[i];
+            volume[before + i] = std::pow(spacing, Dim);
+        }
+        ++body.version;
+        return body;
+    }
+    Body<Dim>& observer(const std::vector<Vec<Dim>>& points, std::vector<Body<Dim>*> sees) {
+        Body<Dim>& body = place(add("probe", BodyKind::observer), points);
+        body.sees = std::move(sees);
+        return body;
+    }
+    /// A weakly compressible fluid at rest with sound speed 10 and the given density.
+    Body<Dim>& fluid(const std::string& name, const Box<Dim>& box, double density = 2,
+                     double viscosity = 0) {
+        Body<Dim>& body = add(name, BodyKind::fluid);
+        WeaklyCompressibleFluid::Parameters parameters;
+        parameters.density = density;
+        parameters.sound_speed = 10;
+        parameters.viscosity = viscosity;
+        body.material = std::make_shared<WeaklyCompressibleFluid>(parameters);
+        fill(body, box);
+        ParticleSet<Dim>& p = body.particles;
+        p.vector(fields::velocity);
+        p.scalar(fields::pressure);
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            p.scalar(fields::density)[i] = density;
+            p.scalar(fields::mass)[i] = density * p.scalar(fields::volume)[i];
+        }
+        return body;
+    }
+    io::OutputContext<Dim> context(const io::Path& folder) {
+        return {world, relations, folder, {}, {}, nullptr, [] { return Progress{}; }, {}, {}};
+    }
+};
+
+/// An entry of `outputs` as the case file writes it: "{type: ..., ...}".
+class Entry {
+ public:
+    explicit Entry(const std::string& yaml, int dimension = 2) {
+        io::registerOutputs(registry_);
+        auto source = std::make_shared<input::Source>();
+        source->name = "case.yaml";
+        source->text = yaml;
+        input::Diagnostics diagnostics;
+        const input::Node node = input::readYaml(source, source->text, {}, diagnostics);
+        diagnostics.throwIfErrors();
+        input::Reader reader(diagnostics, registry_);
+        reader.dimension = dimension;
+        component_.name = "row";
+        component_.place = node.place;
+        component_.declaration = registry_.find(input::Kind::output, node.find("type")->text);
+        std::shared_ptr<void> parameters = component_.declaration->makeParameters();
+        input::readParameters(node, node.place, reader,
+                              {{component_.declaration, parameters.get()}}, {"type"});
+        diagnostics.throwIfErrors();
+        component_.parameters = parameters;
+        for (const auto& entry : node.entries)
+            component_.parameter_places.emplace_back(entry.key, entry.value.place);
+    }
+    template <int Dim>
+    std::unique_ptr<Output> make(const io::OutputContext<Dim>& context) const {
+        return component_.declaration->builder<io::OutputFactory>().make(component_, context);
+    }
+
+ private:
+    input::Registry registry_;
+    input::Component component_;
+};
+
+/// What throws, says.
+template <class F>
+std::string errorOf(F&& f) {
+    try {
+        f();
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return "";
+}
+
+inline Clock clockAt(double time, double dt = 0) {
+    Clock clock;
+    clock.time = time;
+    clock.dt = dt;
+    return clock;
+}
+
+inline std::vector<double> rowOf(io::SeriesSource& source) {
+    std::size_t width = 0;
+    for (const io::SeriesQuantity& quantity : source.quantities()) width += quantity.size();
+    std::vector<double> row(width);
+    source.sample(Clock{}, row);
+    return row;
+}
+
+/// Keeps values by their path and gives them back.
+class MemoryArchive final : public Archive {
+ public:
+    bool is_loading = false;
+
+    bool loading() const override { return is_loading; }
+    void value(std::string_view name, double& v) override { keep(numbers_, name, v); }
+    void value(std::string_view name, std::int64_t& v) override { keep(integers_, name, v); }
+    void value(std::string_view name, std::string& v) override { keep(texts_, name, v); }
+    void enter(std::string_view name) override { path_.emplace_back(name); }
+    void leave() override { path_.pop_back(); }
+
+ private:
+    template <class T>
+    void keep(std::map<std::string, T>& all, std::string_view name, T& v) {
+        std::string key;
+        for (const std::string& part : path_) key += part + "/";
+        key += name;
+        if (is_loading)
+            v = all.at(key);
+        else if (!all.emplace(key, v).second)
+            throw std::logic_error("saved twice: " + key);
+    }
+
+    std::vector<std::string> path_;
+    std::map<std::string, double> numbers_;
+    std::map<std::string, std::int64_t> integers_;
+    std::map<std::string, std::string> texts_;
+};
+
+}  // namespace sphinx::test
