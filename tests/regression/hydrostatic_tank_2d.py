@@ -45,7 +45,7 @@ def measure(spacing):
 def main():
     options = checks.arguments()
     if options.study:
-        for spacing in (0.08, 0.04, 0.02):
+        for spacing in (0.1, 0.05, 0.04, 0.025):
             found = measure(spacing)
             print(f"| 1/{1 / spacing:g} | {100 * found['profile']:.2f} | "
                   f"{found['energy at the end']:.1e} | {found['largest energy']:.1e} | "

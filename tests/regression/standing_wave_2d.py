@@ -54,7 +54,7 @@ def measure(spacing):
 def main():
     options = checks.arguments()
     if options.study:
-        for spacing in (0.08, 0.04, 0.02):
+        for spacing in (0.04, 0.02, 0.01):
             found = measure(spacing)
             print(f"| 1/{1 / spacing:g} | {found['period']:.4f} | {100 * (found['period'] / PERIOD - 1):+.2f} | "
                   f"{found['amplitude']:.3f} | {found['energy'] / found['wave']:+.2f} |")
