@@ -64,7 +64,7 @@ def main():
         figure, axes = checks.new_plot(8, 4)
         t = np.linspace(0, found["t"][-1], 500)
         elevation = found["elevation"]
-        middle = [name for name in elevation if name.startswith("surface_elevation")][1]
+        middle = [name for name in elevation if name.startswith("elevation_")][1]
         axes.plot(t, -0.05 * np.sin(2 * np.pi * t / PERIOD), "k-", label=f"undamped, T = {PERIOD} s")
         axes.plot(elevation["time"], elevation[middle] - 1, "-", label="surface at x = 1 m")
         axes.set(xlabel="t [s]", ylabel="elevation [m]", title="Standing wave, spacing H/50")
