@@ -39,6 +39,7 @@ struct Candidates {
     }
     /// Fills up to a whole vector, so that the search needs no remainder.
     void pad() {
+        reserve(count);  // where no cell came near, nothing has been reserved yet
         for (std::size_t m = count; m < count + lane_count; ++m) {
             for (auto& axis : x) axis[m] = far_away;
             for (auto& axis : shift) axis[m] = 0;
