@@ -204,6 +204,7 @@ ExpressionParser::ExpressionParser(const std::string& text,
         parser.DefineVar("y", &implementation_->y);
         parser.DefineVar("z", &implementation_->z);
         parser.DefineVar("t", &implementation_->t);
+        parser.EnableOptimizer(false);  // it would change the order of operations, and so the bits
         parser.SetExpr(text);
         parser.Eval();
     } catch (const mu::Parser::exception_type& e) {
