@@ -16,9 +16,10 @@ folder = Path(sys.argv[1])
 with h5py.File(folder / "results.h5") as file:
     for name, series in file["series"].items():
         time = series["time"][:]
-        for quantity in series.keys() - {"time"}:
+        for quantity in sorted(series.keys() - {"time"}):
             values = series[quantity]
-            print(f"{name}: {quantity} [{values.attrs['unit']}], {len(time)} times "
+            unit = values.attrs["unit"].decode() or "-"
+            print(f"{name}: {quantity} [{unit}], {len(time)} times "
                   f"up to {time[-1]:g}, largest {np.nanmax(values):g}")
 
 # The same series as text: one CSV file each, a line of names, then the numbers.

@@ -8,6 +8,7 @@
 #include "materials/fluid.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 
 namespace sphinx::model {
@@ -16,6 +17,8 @@ namespace {
 /// Above this part of the sound speed the density changes by more than a percent.
 constexpr double speed_limit = 0.1;
 constexpr double density_limit = 0.03;
+/// Often enough to find the place again, seldom enough to cost nothing.
+constexpr std::int64_t steps_between_places = 16;
 
 void collectWriters(const loop::LineFacts& line,
                     std::map<std::pair<std::string, std::string>, std::string>& writers) {
@@ -40,6 +43,30 @@ struct Extremes {
 template <int Dim>
 Health<Dim>::Health(const World<Dim>& world, const loop::LoopFacts& facts) : world_(world) {
     collectWriters(facts.outermost, last_writer_);
+    remember();
+}
+
+template <int Dim>
+void Health<Dim>::remember() {
+    for (const auto& body : world_.bodies) {
+        if (body->kind != BodyKind::fluid) continue;
+        const auto& id = body->particles.id();
+        const auto& position = body->particles.position();
+        Last& last = last_[body->name];
+        last.ids.assign(id.data(), id.data() + body->size());
+        last.positions.assign(position.data(), position.data() + body->size());
+    }
+}
+
+template <int Dim>
+std::string Health<Dim>::lastPlace(const sphinx::Body<Dim>& body, std::int64_t id) const {
+    const Last& last = last_.at(body.name);
+    const auto found = std::find(last.ids.begin(), last.ids.end(), id);
+    if (found == last.ids.end()) return "";
+    const Vec<Dim>& position = last.positions[static_cast<std::size_t>(found - last.ids.begin())];
+    std::string place;
+    for (int k = 0; k < Dim; ++k) place += fmt::format("{}{:g}", k == 0 ? "(" : ", ", position[k]);
+    return ", last seen at " + place + "),";
 }
 
 template <int Dim>
@@ -86,12 +113,12 @@ void Health<Dim>::check(const Clock& clock) {
                             clock.time, body->name, 100 * e.density / rho0));
         }
     }
+    if (clock.steps % steps_between_places == 0) remember();
 }
 
 template <int Dim>
 void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const {
     auto& particles = const_cast<ParticleSet<Dim>&>(body.particles);
-    const auto& position = particles.position();
     // The field closest to the cause first: a bad density spoils pressure, then velocity.
     for (const FieldInfo* info : {&fields::density, &fields::velocity}) {
         FieldBase& field = particles.require(*info);
@@ -101,14 +128,12 @@ void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const 
                 const double value =
                     field.numbers()[i * static_cast<std::size_t>(n) + static_cast<std::size_t>(c)];
                 if (std::isfinite(value)) continue;
-                std::string place;
-                for (int k = 0; k < Dim; ++k)
-                    place += fmt::format("{}{:g}", k == 0 ? "(" : ", ", position[i][k]);
+                const std::int64_t id = particles.id()[i];
                 const auto writer = last_writer_.find({body.name, std::string(info->name)});
                 throw PhysicsError(fmt::format(
-                    "{} of particle {} of {} at {}) is {} after {} at time {:g}; a smaller cfl or "
-                    "a higher sound_speed may help",
-                    info->name, particles.id()[i], body.name, place, value,
+                    "{} of particle {} of {}{} is {} after {} at time {:g}; a smaller cfl or a "
+                    "higher sound_speed may help",
+                    info->name, id, body.name, lastPlace(body, id), value,
                     writer == last_writer_.end() ? "the step" : writer->second, clock.time));
             }
     }

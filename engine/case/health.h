@@ -8,6 +8,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace sphinx::model {
 
@@ -22,9 +23,18 @@ class Health {
     void check(const Clock& clock);
 
  private:
+    /// Where a body was some steps ago: a number that is none soon spoils the position as well.
+    struct Last {
+        std::vector<std::int64_t> ids;
+        std::vector<Vec<Dim>> positions;
+    };
+
+    void remember();
+    std::string lastPlace(const sphinx::Body<Dim>& body, std::int64_t id) const;
     [[noreturn]] void fail(const sphinx::Body<Dim>& body, const Clock& clock) const;
 
     const World<Dim>& world_;
+    std::map<std::string, Last> last_;
     std::map<std::pair<std::string, std::string>, std::string> last_writer_;  // by body and field
     std::map<std::string, bool> warned_speed_;
     std::map<std::string, bool> warned_density_;

@@ -66,23 +66,6 @@ class ChangedCase(Promise):
         self.assertIn("0.6", said)
         self.sphinx(path, output, "--resume")
 
-    def test_file_that_the_case_names_is_physics(self):
-        case = load_case("splash_2d")
-        points = [[0.05 * i + 0.025, 0.05 * k + 0.025, 0.0025] for i in range(8) for k in range(8)]
-        table = self.folder / "points.csv"
-
-        def write():
-            table.write_text("".join(",".join(map(str, p)) + "\n" for p in points))
-
-        write()
-        del case["bodies"]["water"]["shape"], case["geometry"]["column"]
-        case["bodies"]["water"]["particles"] = {"file": "points.csv"}
-        path, output = self.write_case("table", case), self.folder / "table_out"
-        self.sphinx(path, output, "--set", "loop.end_time=0.3")
-        points[3][2] *= 2
-        write()
-        self.sphinx(path, output, "--resume", expect=2)
-
     def test_damaged_restarts(self):
         whole = self.folder / "whole"
         self.sphinx(self.case_file, whole)

@@ -42,8 +42,8 @@ class BlownUp(Promise):
         # The square root of a negative number from 0.3 on.
         force = "{type: force.body_force, body: water, acceleration: ['sqrt(0.3 - t)', -1]}"
         output, message = self.stops(f"dynamics.gravity={force}")
-        self.assertRegex(message, r"^error: velocity of particle \d+ of water at \(.*\) is -?nan "
-                                  r"after \S+ at time 0\.3\d*;")
+        self.assertRegex(message, r"^error: (density|velocity) of particle \d+ of water, last seen at "
+                                  r"\(0\.\d+, 0\.\d+\), is -?nan after \S+ at time 0\.3\d*;")
         self.good_restarts(output, 0.25)
 
     def test_blow_up(self):
@@ -104,7 +104,7 @@ class CannotWrite(Promise):
         disk.mkdir()
         whole_size = sum(p.stat().st_size for p in self.whole.rglob("*") if p.is_file())
         resumed = 0
-        for part in (0.1, 0.4, 0.6, 0.8, 0.9):
+        for part in (0.1, 0.3, 0.5, 0.6, 0.7):
             with self.subTest(part=part):
                 mount = ["mount", "-t", "tmpfs", "-o", f"size={int(part * whole_size)}", "none", disk]
                 if subprocess.run(mount, capture_output=True).returncode:
