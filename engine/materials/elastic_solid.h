@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/types.h"
+#include "materials/material.h"
+
+namespace sphinx {
+
+/// Unit directions of the muscle at a particle in the reference configuration, perpendicular to
+/// each other: fibre f0 and sheet s0 of the guide's (13).
+template <int Dim>
+struct Fibres {
+    Vec<Dim> fibre = Vec<Dim>::Zero();
+    Vec<Dim> sheet = Vec<Dim>::Zero();
+};
+
+/// The final classes of ElasticSolid, for withLaw() of elastic.h.
+enum class ElasticLaw {
+    saint_venant_kirchhoff,
+    linear_elastic,
+    neo_hookean,
+    finite_extensibility,
+    holzapfel_muscle,
+};
+
+/// Hyperelastic solid in the total-Lagrangian form. In 2D it is in plane strain, C_33 = 1.
+/// What depends on the deformation are members of the final classes, reached through withLaw():
+///
+///     static constexpr bool uses_fibres;  // else `fibres` below is ignored: pass {}
+///     template <int Dim> Mat<Dim> stress(const Mat<Dim>& C, const Fibres<Dim>& fibres) const;
+///     template <int Dim> double energy(const Mat<Dim>& C, const Fibres<Dim>& fibres) const;
+///     template <int Dim> bool admissible(const Mat<Dim>& C) const;
+///     template <int Dim> double tangentModulus(const Mat<Dim>& C, const Fibres<Dim>&) const;
+///
+/// C = F^T F must be exactly symmetric with det C > 0.
+/// stress: second Piola-Kirchhoff stress S = 2 dW/dC, symmetric, pressure; of the elastic part
+///   alone, the damping (16) is the business of the method.
+/// energy: W per reference volume, pressure; 0 at rest.
+/// admissible: false where the law has no stress (a finite extensibility that is exceeded); the
+///   other members must not be asked there.
+/// tangentModulus: an upper estimate, over all directions N of propagation and m of motion, of
+///   m.Q(N).m with the acoustic tensor of the reference coordinates
+///   Q_ij = F_iA F_jB (dS/dE)_ACBD N_C N_D + delta_ij N.S.N (pressure, above 0), so that
+///   sqrt(modulus/rho0) bounds the speed of sound against the particles' reference spacing.
+class ElasticSolid : public Material {
+ public:
+    /// rho0 in mass/length^3; eta in mass/(length time).
+    ElasticSolid(ElasticLaw law, double density, double damping)
+        : law_(law), density_(density), damping_(damping) {}
+
+    ElasticLaw law() const { return law_; }
+    double density() const override { return density_; }
+    /// eta of the Kelvin-Voigt stress S^D = eta/2 (dF/dt^T F + F^T dF/dt), guide (16).
+    double damping() const { return damping_; }
+    /// True when the law asks for the directions of each particle.
+    virtual bool hasFibres() const { return false; }
+
+    /// Largest longitudinal modulus at rest, rho0 c_P^2; lambda + 2 mu when isotropic.
+    virtual double longitudinalModulus() const = 0;
+    /// Bulk and shear modulus at rest; of an anisotropic solid the averages after Voigt.
+    virtual double bulkModulus() const = 0;
+    virtual double shearModulus() const = 0;
+
+ private:
+    ElasticLaw law_;
+    double density_;
+    double damping_;
+};
+
+}  // namespace sphinx

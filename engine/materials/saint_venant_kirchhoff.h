@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "materials/isotropic.h"
+#include "materials/strain.h"
+
+namespace sphinx {
+
+/// S = lambda tr(E) I + 2 mu E, W = lambda/2 tr(E)^2 + mu E:E; guide (8). Linear in E for any
+/// rotation, but it softens under large compression.
+class SaintVenantKirchhoff final : public IsotropicSolid {
+ public:
+    static constexpr bool uses_fibres = false;
+    using Parameters = IsotropicParameters;
+
+    explicit SaintVenantKirchhoff(const Parameters& p)
+        : IsotropicSolid(ElasticLaw::saint_venant_kirchhoff, p) {}
+
+    template <int Dim>
+    Mat<Dim> stress(const Mat<Dim>& C, const Fibres<Dim>&) const {
+        const Mat<Dim> E = greenStrain<Dim>(C);
+        return lambda() * E.trace() * Mat<Dim>::Identity() + 2 * mu() * E;
+    }
+    template <int Dim>
+    double energy(const Mat<Dim>& C, const Fibres<Dim>&) const {
+        const Mat<Dim> E = greenStrain<Dim>(C);
+        return lambda() / 2 * E.trace() * E.trace() + mu() * E.squaredNorm();
+    }
+    template <int Dim>
+    bool admissible(const Mat<Dim>&) const {
+        return true;
+    }
+    /// m.Q.m = (lambda + mu)(a.N)^2 + mu |a|^2 + N.S.N with a = F^T m, |a|^2 at most the largest
+    /// eigenvalue of C.
+    template <int Dim>
+    double tangentModulus(const Mat<Dim>& C, const Fibres<Dim>& fibres) const {
+        const double pull = largestEigenvalueBound<Dim>(stress<Dim>(C, fibres));
+        return (lambda() + 2 * mu()) * largestEigenvalueBound<Dim>(C) + std::max(0., pull);
+    }
+};
+
+}  // namespace sphinx
