@@ -7,6 +7,9 @@
 #include "io/register.h"
 #include "io/restart_output.h"
 
+#include <fmt/format.h>
+#include <map>
+
 namespace sphinx::model {
 namespace {
 
@@ -28,6 +31,23 @@ std::vector<const sphinx::Body<Dim>*> followers(const OutputTools<Dim>& tools) {
     return bodies;
 }
 
+/// Refuses what would write the same files as an output before it.
+class FileOwners {
+ public:
+    void add(const Output& source, const sphinx::Output& output) {
+        for (const OutputFile& file : output.files()) {
+            const auto [owner, added] = owners_.emplace(file.name, source.name);
+            if (!added)
+                io::failAt(source.place, fmt::format("'{}' would write {}, a file of '{}'; {}",
+                                                     source.name, file.name, owner->second,
+                                                     "two outputs cannot write the same"));
+        }
+    }
+
+ private:
+    std::map<std::string, std::string> owners_;
+};
+
 }  // namespace
 
 template <int Dim>
@@ -37,6 +57,7 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
     const io::OutputContext<Dim> context{tools.world,       tools.relations,  tools.folder,
                                          tools.model.units, tools.provenance, results,
                                          tools.progress,    tools.methods,    followers(tools)};
+    FileOwners owners;
     for (const Output& source : tools.model.outputs) {
         const std::string& type = source.declaration->name();
         const bool restart = type == "restart";
@@ -46,6 +67,7 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
         else
             outputs_.push_back(
                 source.declaration->builder<io::OutputFactory>().make(source, context));
+        owners.add(source, *outputs_.back());
         entries_.push_back(
             {source.name, type, outputs_.back().get(), triggerOf(source.every), restart});
     }

@@ -34,10 +34,14 @@ struct OutputTools {
 template <int Dim>
 class Outputs {
  public:
-    /// Without `files` only those that write no file (progress) are made.
+    /// Without `files` only those that write no file (progress) are made. Nothing is written yet.
+    /// Throws CaseError with its place for an output that asks for what the bodies do not have, or
+    /// that would write the files of another.
     Outputs(const OutputTools<Dim>& tools, bool files);
 
     void addTo(loop::Plan& plan) const;
+    /// In the order of the case.
+    const std::vector<loop::OutputEntry>& entries() const { return entries_; }
 
  private:
     std::vector<std::unique_ptr<sphinx::Output>> outputs_;

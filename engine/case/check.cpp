@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check.h"
 
+#include "case/build_loop.h"
+#include "case/build_outputs.h"
 #include "case/build_world.h"
 #include "case/loop_facts.h"
+#include "case/simulation.h"
 #include "neighbors/neighbor_list.h"
 
 #include <fmt/format.h>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <system_error>
 
 namespace sphinx::model {
 namespace {
@@ -61,16 +66,52 @@ void printLayer(const loop::LayerFacts& layer, const Layer& source, int depth, s
     }
 }
 
-std::string outputText(const Case& model, const Output& output, double particles) {
+/// Writes of the whole run, with those at the start and at the end.
+std::optional<double> writes(const Case& model, const Every& every) {
     const double span = model.loop.end_time - model.loop.start_time;
-    std::string text = fmt::format("  {} ({})", output.name, output.declaration->name());
-    if (output.every.by != Every::By::time) return text + "\n";
-    const double frames = std::floor(span / output.every.time) + 2;
-    text += fmt::format(": {:.0f} times", frames);
-    // Position, id, mass and about four more numbers a particle.
-    const bool heavy = output.declaration->hasTrait("frames");
-    if (heavy) text += fmt::format(", about {}", sizeText(frames * particles * 80));
-    return text + "\n";
+    if (every.by == Every::By::time) return std::floor(span / every.time) + 2;
+    if (every.by == Every::By::ends) return 2;
+    return {};
+}
+
+std::string everyText(const Every& every) {
+    if (every.by == Every::By::steps)
+        return fmt::format("every {} steps{}", every.steps,
+                           every.layer.empty() ? "" : " of " + every.layer.text);
+    return fmt::format("every {:g} s on the clock on the wall", every.wall_seconds);
+}
+
+/// The outputs, how often they write and how much at most: the files are compressed, and what did
+/// not change is not written again.
+template <int Dim>
+std::string outputsText(const Case& model, const Outputs<Dim>& outputs,
+                        input::Diagnostics& diagnostics) {
+    std::string text = "outputs\n";
+    double sum = 0;
+    double most = 0;
+    Place place;  // of the output that writes most
+    for (std::size_t k = 0; k < model.outputs.size(); ++k) {
+        const Output& source = model.outputs[k];
+        double bytes = 0;
+        for (const OutputFile& file : outputs.entries()[k].output->files()) bytes += file.bytes;
+        const std::optional<double> times = writes(model, source.every);
+        text += fmt::format("  {} ({}): {}", source.name, source.declaration->name(),
+                            times ? fmt::format("{:.0f} times", *times) : everyText(source.every));
+        if (bytes > 0)
+            text += ", at most " + (times ? sizeText(*times * bytes) : sizeText(bytes) + " each");
+        text += '\n';
+        const double all = times.value_or(0) * bytes;
+        sum += all;
+        if (all > most) most = all, place = source.place;
+    }
+    std::error_code error;
+    const auto space = std::filesystem::space(".", error);
+    if (!error && sum > static_cast<double>(space.available))
+        diagnostics.warning(
+            place,
+            fmt::format("the outputs may need {}, but the disk of this folder has {} left",
+                        sizeText(sum), sizeText(static_cast<double>(space.available))));
+    return text;
 }
 
 template <int Dim>
@@ -80,23 +121,26 @@ std::string check(const Case& model) {
     checkLoop(placed, diagnostics);
     const auto world = buildWorld<Dim>(model, true, diagnostics);
     diagnostics.throwIfErrors();
+    Relations<Dim> relations(*world);
+    Context<Dim> context{*world, relations};
+    Methods<Dim> methods(model, context);
+    buildPlan<Dim>(model, placed.facts, *world, methods);
+    io::RestartHeader header;
+    header.case_name = caseName(model);
+    const Outputs<Dim> outputs(
+        {model, *world, relations, {}, {}, {}, methods.all(), header, {}, {}}, true);
 
-    std::string out = model.warnings + diagnostics.text();
-    double particles = 0;
-    out += "bodies\n";
-    for (const auto& body : world->bodies) {
+    std::string out = "bodies\n";
+    for (const auto& body : world->bodies)
         out += fmt::format("  {}: {} particles, spacing {:g}, h {:g}\n", body->name, body->size(),
                            body->spacing, body->kernel.smoothingLength());
-        if (body->kind != BodyKind::observer) particles += static_cast<double>(body->size());
-    }
     out += fmt::format("memory: about {}\n", sizeText(memory(*world)));
     out += "loop\n";
     for (const loop::LineFacts& line : placed.facts.start)
         out += fmt::format("  start: {}\n", line.label);
     printLayer(placed.facts.outermost, model.loop.layer, 1, out);
-    out += "outputs\n";
-    for (const Output& output : model.outputs) out += outputText(model, output, particles);
-    return out;
+    out += outputsText(model, outputs, diagnostics);
+    return model.warnings + diagnostics.text() + out;
 }
 
 }  // namespace

@@ -5,7 +5,16 @@
 #include "core/archive.h"
 #include "core/clock.h"
 
+#include <string>
+#include <vector>
+
 namespace sphinx {
+
+/// A file, or a series of files, that an output writes.
+struct OutputFile {
+    std::string name;  ///< in the results folder; "*" stands for a number
+    double bytes = 0;  ///< that one write adds, before compression; 0: nothing that stays
+};
 
 /// One entry of `outputs`. It reads particles and writes files; it never changes the physics and
 /// never a time step.
@@ -13,6 +22,8 @@ class Output {
    public:
     virtual ~Output() = default;
 
+    /// What it writes; no two outputs of a run may write the same.
+    virtual std::vector<OutputFile> files() const { return {}; }
     /// Writes the state at clock.time (clock.steps outermost steps are complete). Throws FileError.
     virtual void write(const Clock& clock) = 0;
     /// True for an output that looks at every step (time averages): sample() is called after each

@@ -21,7 +21,7 @@ class BodySelectionType final : public TypeBase {
             std::vector<Name> bodies;
             if (!bodies_.base()->read(node, reader, &bodies)) return false;
             for (Name& body : bodies) selection.push_back({std::move(body), std::nullopt});
-            return checkEmpty(node, reader, selection);
+            return checkBodies(node, reader, selection);
         }
         if (!node.isMap())
             return reader.error(node, reader.label + " is " + describeNode(node) +
@@ -30,7 +30,7 @@ class BodySelectionType final : public TypeBase {
         FieldsOfBodies fields;
         if (!fields_.base()->read(node, reader, &fields)) return false;
         for (auto& [body, names] : fields) selection.push_back({body, std::move(names)});
-        return checkEmpty(node, reader, selection);
+        return checkBodies(node, reader, selection);
     }
     Node write(const void* value, const Node* source) const override {
         const auto& selection = *static_cast<const BodySelection*>(value);
@@ -67,7 +67,11 @@ class BodySelectionType final : public TypeBase {
     using FieldsOfBodies = std::vector<std::pair<Name, std::vector<Name>>>;
 
     /// No selection stands for all bodies, so an empty one that was written would surprise.
-    static bool checkEmpty(const Node& node, Reader& reader, const BodySelection& selection) {
+    static bool checkBodies(const Node& node, Reader& reader, const BodySelection& selection) {
+        for (auto one = selection.begin(); one != selection.end(); ++one)
+            for (auto other = selection.begin(); other != one; ++other)
+                if (other->body.text == one->body.text)
+                    return reader.error(one->body.place, "'" + one->body.text + "' is named twice");
         if (!selection.empty()) return true;
         return reader.error(node,
                             reader.label + " is empty; without the key all bodies are written");

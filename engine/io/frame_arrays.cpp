@@ -76,6 +76,12 @@ int componentsOf(Rank rank, FieldLayout layout) {
     return static_cast<int>(componentMap<Dim>(rank, layout).size());
 }
 
+double frameBytes(const std::vector<FieldBase*>& fields, std::size_t particles, double number) {
+    double numbers = 0;
+    for (const FieldBase* field : fields) numbers += field->components();
+    return numbers * number * static_cast<double>(particles);
+}
+
 template <int Dim>
 ArrayView ArrayGatherer<Dim>::gather(FieldBase& field, std::size_t particles) {
     ArrayView view;

@@ -61,6 +61,9 @@ class ArrayGatherer {
 template <int Dim>
 int componentsOf(Rank rank, FieldLayout layout);
 
+/// Bytes of a frame of these fields, with so many bytes a number.
+double frameBytes(const std::vector<FieldBase*>& fields, std::size_t particles, double number);
+
 /// Bytes of the field as it lies in memory, to tell whether it changed.
 std::uint64_t fieldFingerprint(FieldBase& field, std::size_t particles);
 

@@ -52,6 +52,19 @@ template <int Dim>
 Hdf5Output<Dim>::~Hdf5Output() = default;
 
 template <int Dim>
+std::vector<OutputFile> Hdf5Output<Dim>::files() const {
+    std::vector<OutputFile> files;
+    for (const auto& series : series_) {
+        std::vector<FieldBase*> fields;
+        for (const auto& member : series->members) fields.push_back(member.field);
+        files.push_back({"results.h5:bodies/" + series->body->name,
+                         frameBytes(fields, series->body->size(),
+                                    parameters_.single_precision ? 4 : 8)});
+    }
+    return files;
+}
+
+template <int Dim>
 void Hdf5Output<Dim>::open() {
     if (open_) return;
     file_->open();

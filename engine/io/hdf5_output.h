@@ -28,6 +28,7 @@ class Hdf5Output final : public Output {
                std::vector<BodyFrames<Dim>> bodies);
     ~Hdf5Output() override;
 
+    std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
     void transfer(Archive& archive) override { archive.value("frames", frames_); }
     void resume(const Clock& clock) override;

@@ -11,7 +11,8 @@ namespace sphinx::io {
 void failAt(const input::Place& place, const std::string& message) {
     input::Diagnostics diagnostics;
     diagnostics.error(place, message);
-    throw CaseError(diagnostics.text());
+    diagnostics.throwIfErrors();
+    throw CaseError(message);
 }
 
 template <int Dim>

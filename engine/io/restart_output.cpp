@@ -14,6 +14,11 @@ RestartOutput<Dim>::RestartOutput(RestartParameters parameters,
 }
 
 template <int Dim>
+std::vector<OutputFile> RestartOutput<Dim>::files() const {
+    return {{"restart/" + parameters_.header.case_name + "_*.xml"}};
+}
+
+template <int Dim>
 void RestartOutput<Dim>::write(const Clock& clock) {
     makeFolder(parameters_.folder);
     RestartHeader& header = parameters_.header;
@@ -22,14 +27,14 @@ void RestartOutput<Dim>::write(const Clock& clock) {
     const Path path =
         parameters_.folder / (header.case_name + "_" + std::to_string(clock.steps) + ".xml");
     writeRestart(path, header, state_, bodies_, parameters_.encoding);
-    std::vector<Path> existing = files();
-    for (std::size_t k = static_cast<std::size_t>(parameters_.keep); k < existing.size(); ++k)
-        removeFile(existing[k]);
+    std::vector<Path> written = existing();
+    for (std::size_t k = static_cast<std::size_t>(parameters_.keep); k < written.size(); ++k)
+        removeFile(written[k]);
 }
 
 template <int Dim>
 void RestartOutput<Dim>::resume(const Clock& clock) {
-    for (const Path& path : files())
+    for (const Path& path : existing())
         if (restartSteps(path) > clock.steps) removeFile(path);
     std::error_code error;
     std::vector<Path> unfinished;
@@ -42,7 +47,7 @@ void RestartOutput<Dim>::resume(const Clock& clock) {
 
 /// Restarts of this case in the folder, newest first.
 template <int Dim>
-std::vector<Path> RestartOutput<Dim>::files() const {
+std::vector<Path> RestartOutput<Dim>::existing() const {
     std::vector<Path> result;
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(parameters_.folder, error)) {

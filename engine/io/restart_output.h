@@ -22,12 +22,13 @@ class RestartOutput final : public Output {
     RestartOutput(RestartParameters parameters, std::vector<RestartBody<Dim>> bodies,
                   StateTransfer state);
 
+    std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
     /// Removes restarts of later steps than the resumed one, and unfinished ones.
     void resume(const Clock& clock) override;
 
  private:
-    std::vector<Path> files() const;
+    std::vector<Path> existing() const;
 
     RestartParameters parameters_;
     std::vector<RestartBody<Dim>> bodies_;

@@ -24,6 +24,7 @@ class RowsOutput final : public Output {
                std::unique_ptr<SeriesSource> source);
     ~RowsOutput() override;
 
+    std::vector<OutputFile> files() const override { return series_.files(); }
     void write(const Clock& clock) override;
     bool samplesEveryStep() const override { return average_; }
     void sample(const Clock& clock) override;

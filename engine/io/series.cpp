@@ -5,7 +5,7 @@
 namespace sphinx::io {
 
 SeriesOutput::SeriesOutput(SeriesParameters parameters, std::unique_ptr<SeriesSource> source)
-    : source_(std::move(source)) {
+    : name_(parameters.name), source_(std::move(source)) {
     const std::vector<SeriesQuantity>& quantities = source_->quantities();
     std::size_t width = 1;
     for (const SeriesQuantity& quantity : quantities) width += quantity.size();
@@ -15,6 +15,11 @@ SeriesOutput::SeriesOutput(SeriesParameters parameters, std::unique_ptr<SeriesSo
                      quantities);
     if (parameters.hdf5)
         hdf5_.emplace(parameters.hdf5, parameters.name, parameters.time_unit, quantities);
+}
+
+std::vector<OutputFile> SeriesOutput::files() const {
+    constexpr double number = 28;  // decimals with a comma, and 64 bits in HDF5
+    return {{name_ + ".csv", number * static_cast<double>(row_.size())}};
 }
 
 void SeriesOutput::write(const Clock& clock) {

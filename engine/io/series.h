@@ -45,11 +45,13 @@ class SeriesOutput final : public Output {
  public:
     SeriesOutput(SeriesParameters parameters, std::unique_ptr<SeriesSource> source);
 
+    std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
     void transfer(Archive& archive) override { source_->transfer(archive); }
     void resume(const Clock& clock) override;
 
  private:
+    std::string name_;
     std::unique_ptr<SeriesSource> source_;
     std::optional<CsvSeries> csv_;
     std::optional<Hdf5Series> hdf5_;

@@ -77,6 +77,16 @@ TecplotOutput<Dim>::TecplotOutput(TecplotParameters parameters,
 }
 
 template <int Dim>
+std::vector<OutputFile> TecplotOutput<Dim>::files() const {
+    constexpr double number = 20;  // decimals and the blank behind them
+    std::vector<OutputFile> files;
+    for (const Series& series : series_)
+        files.push_back({series.body->name + "_*.dat",
+                         frameBytes(series.fields, series.body->size(), number)});
+    return files;
+}
+
+template <int Dim>
 void TecplotOutput<Dim>::write(const Clock& clock) {
     int strand = 0;
     for (const Series& series : series_) {

@@ -25,6 +25,7 @@ class TecplotOutput final : public Output {
  public:
     TecplotOutput(TecplotParameters parameters, const std::vector<BodyFrames<Dim>>& bodies);
 
+    std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
     void transfer(Archive& archive) override { archive.value("frames", frames_); }
     void resume(const Clock& clock) override;

@@ -65,6 +65,13 @@ class VtkHdfOutput<Dim>::Series {
 
     const std::string& name() const { return body_->name; }
 
+    OutputFile file() const {
+        std::vector<FieldBase*> fields;
+        for (const Member& member : members_) fields.push_back(member.field);
+        return {path_.filename().string(),
+                frameBytes(fields, body_->size(), parameters_.single_precision ? 4 : 8)};
+    }
+
     void transfer(Archive& archive) {
         // A resumed run may write other fields, and an archive cannot be asked what it has.
         std::string names;
@@ -131,6 +138,13 @@ VtkHdfOutput<Dim>::VtkHdfOutput(VtkHdfParameters parameters, std::vector<BodyFra
 
 template <int Dim>
 VtkHdfOutput<Dim>::~VtkHdfOutput() = default;
+
+template <int Dim>
+std::vector<OutputFile> VtkHdfOutput<Dim>::files() const {
+    std::vector<OutputFile> files;
+    for (const auto& series : series_) files.push_back(series->file());
+    return files;
+}
 
 template <int Dim>
 void VtkHdfOutput<Dim>::write(const Clock& clock) {

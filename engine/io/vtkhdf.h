@@ -29,6 +29,7 @@ class VtkHdfOutput final : public Output {
     VtkHdfOutput(VtkHdfParameters parameters, std::vector<BodyFrames<Dim>> bodies);
     ~VtkHdfOutput() override;
 
+    std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
     void transfer(Archive& archive) override;
     /// If the fields of a body changed since its file was begun, the old file is kept as

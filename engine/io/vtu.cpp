@@ -169,6 +169,19 @@ template <int Dim>
 VtuOutput<Dim>::~VtuOutput() = default;
 
 template <int Dim>
+std::vector<OutputFile> VtuOutput<Dim>::files() const {
+    std::vector<OutputFile> files;
+    for (const auto& series : series_) {
+        std::vector<FieldBase*> fields = series->fields;
+        fields.push_back(series->position);
+        files.push_back({series->body->name + "_*.vtu",
+                         frameBytes(fields, series->body->size(),
+                                    parameters_.single_precision ? 4 : 8)});
+    }
+    return files;
+}
+
+template <int Dim>
 void VtuOutput<Dim>::write(const Clock& clock) {
     for (auto& series : series_) {
         const std::uint64_t now = series->fingerprint(parameters_.single_precision);

@@ -30,6 +30,7 @@ class VtuOutput final : public Output {
     VtuOutput(VtuParameters parameters, std::vector<BodyFrames<Dim>> bodies);
     ~VtuOutput() override;
 
+    std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
     void transfer(Archive& archive) override;
     void resume(const Clock& clock) override;
