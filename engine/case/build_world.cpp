@@ -76,6 +76,8 @@ void makeParticles(const Case& model, const Body& source, const sphinx::Domain<D
 template <int Dim>
 std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
                                        input::Diagnostics& diagnostics) {
+    checkLattices<Dim>(model, diagnostics);
+    diagnostics.throwIfErrors();
     auto world = std::make_unique<World<Dim>>();
     world->domain = makeDomain<Dim>(model);
 

@@ -6,9 +6,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 namespace sphinx::model {
 namespace {
+
+/// More particles have no 32-bit index; some of the box around a body may be empty.
+constexpr double most_lattice_points = 1e10;
 
 template <int Dim>
 std::string placeText(const Vec<Dim>& p) {
@@ -34,6 +38,31 @@ void checkDomain(const Body& source, const sphinx::Body<Dim>& body,
             fmt::format("{} of {} particles of {} start outside of the domain, the "
                         "first at {}; enlarge the domain or cut the shape",
                         outside, body.size(), body.name, placeText<Dim>(position[first])));
+}
+
+/// An expression of place may have no value somewhere, and a fluid bears no pressure at which its
+/// density would not be positive.
+template <int Dim>
+void checkInitialValues(const Body& source, sphinx::Body<Dim>& body,
+                        input::Diagnostics& diagnostics) {
+    const auto report = [&](const char* what, double value, const Vec<Dim>& at) {
+        diagnostics.error(source.place, fmt::format("the initial {} of {} is {:g} at {}", what,
+                                                    body.name, value, placeText<Dim>(at)));
+    };
+    auto& particles = body.particles;
+    const auto& velocity = particles.vector(fields::velocity);
+    const auto& density = particles.scalar(fields::density);
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const Vec<Dim>& x = particles.position()[i];
+        if (!velocity[i].allFinite())
+            return report("speed", velocity[i].norm(), x);
+        if (source.initial.pressure) {
+            const double pressure = particles.scalar(fields::pressure)[i];
+            if (!std::isfinite(pressure)) return report("pressure", pressure, x);
+        }
+        if (!(density[i] > 0 && std::isfinite(density[i])))
+            return report("density, which follows from its pressure,", density[i], x);
+    }
 }
 
 /// Particles of two bodies nearer than half a spacing: lattices side by side keep a whole spacing.
@@ -69,7 +98,7 @@ void checkOverlap(const Body& source, const sphinx::Body<Dim>& a, const sphinx::
 template <int Dim>
 void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
     for (const Body& source : model.bodies) {
-        const sphinx::Body<Dim>& body = *world.find(source.name);
+        sphinx::Body<Dim>& body = *world.find(source.name);
         if (body.size() == 0) {
             diagnostics.error(
                 source.place,
@@ -79,6 +108,7 @@ void checkParticles(const Case& model, const World<Dim>& world, input::Diagnosti
             continue;
         }
         checkDomain<Dim>(source, body, world.domain, diagnostics);
+        if (body.kind != BodyKind::observer) checkInitialValues<Dim>(source, body, diagnostics);
     }
     for (std::size_t m = 0; m < world.bodies.size(); ++m)
         for (std::size_t k = m + 1; k < world.bodies.size(); ++k) {
@@ -90,6 +120,25 @@ void checkParticles(const Case& model, const World<Dim>& world, input::Diagnosti
         }
 }
 
+template <int Dim>
+void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
+    for (const Body& source : model.bodies) {
+        if (source.shape.empty() || source.particles) continue;
+        const auto& shape = *model.findShape(source.shape.text)->as<Dim>();
+        if (shape.empty()) continue;
+        const double spacing = source.spacing(model.resolution);
+        const Vec<Dim> cells = shape.bounds().size() / spacing;
+        if (!(cells.prod() <= most_lattice_points && cells.maxCoeff() <= most_lattice_points))
+            diagnostics.error(source.place,
+                              fmt::format("the lattice of spacing {:g} has {:.1g} points in the box "
+                                          "around {}; the most is {:.0e}",
+                                          spacing, cells.prod(), source.name,
+                                          most_lattice_points));
+    }
+}
+
+template void checkLattices<2>(const Case&, input::Diagnostics&);
+template void checkLattices<3>(const Case&, input::Diagnostics&);
 template void checkParticles(const Case&, const World<2>&, input::Diagnostics&);
 template void checkParticles(const Case&, const World<3>&, input::Diagnostics&);
 

@@ -8,7 +8,12 @@
 
 namespace sphinx::model {
 
-/// Reports bodies without particles, bodies that overlap and fluid outside of the domain.
+/// Reports lattices too large to be made.
+template <int Dim>
+void checkLattices(const Case& model, input::Diagnostics& diagnostics);
+
+/// Reports bodies without particles, bodies that overlap, fluid outside of the domain and initial
+/// values that are no numbers.
 template <int Dim>
 void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
 
