@@ -9,9 +9,12 @@
 #include "core/errors.h"
 #include "input/describe.h"
 #include "input/schema.h"
+#include "input/suggest.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <new>
 
 namespace {
 
@@ -72,6 +75,14 @@ void addCase(CLI::App& verb, CommandLine& line) {
         ->type_name("PATH=VALUE");
 }
 
+/// The parser alone would ask for a verb without a word on the one that was written.
+void requireVerb(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> verbs;
+    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+    if (!word.starts_with('-') && std::find(verbs.begin(), verbs.end(), word) == verbs.end())
+        throw CaseError("error: there is no verb '" + word + "'" + input::didYouMean(word, verbs));
+}
+
 int run(int argc, char** argv) {
     input::Registry registry;
     registerAll(registry);
@@ -124,6 +135,7 @@ int run(int argc, char** argv) {
                   : input::jsonSchema(registry, *registry.find(input::Kind::block, "case")));
     });
 
+    if (argc > 1) requireVerb(app, argv[1]);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
@@ -146,5 +158,8 @@ int main(int argc, char** argv) {
     } catch (const sphinx::FileError& e) {
         printError(std::string("error: ") + e.what());
         return sphinx::exit_files_failed;
+    } catch (const std::bad_alloc&) {
+        printError("error: the case needs more memory than there is; sphinx check tells how much");
+        return sphinx::exit_case_wrong;
     }
 }

@@ -148,7 +148,7 @@ std::string listText(const Registry& registry, const std::string& kind) {
     std::vector<std::string> kinds;
     for (const Kind one : all_kinds) kinds.emplace_back(kindName(one));
     if (!kind.empty() && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-        throw CaseError("there is no kind '" + kind + "'" + didYouMean(kind, kinds));
+        throw CaseError("error: there is no kind '" + kind + "'" + didYouMean(kind, kinds));
     std::string out;
     for (const Kind one : all_kinds) {
         if (!kind.empty() && kind != kindName(one)) continue;
@@ -171,7 +171,7 @@ std::string describeText(const Registry& registry, const std::string& name) {
         for (std::string& other : registry.names(kind)) known.push_back(std::move(other));
     }
     if (out.empty())
-        throw CaseError("there is nothing called '" + name + "'" + didYouMean(name, known));
+        throw CaseError("error: there is nothing called '" + name + "'" + didYouMean(name, known));
     return out;
 }
 
