@@ -8,6 +8,7 @@
 #include "input/component.h"
 #include "input/units.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -158,6 +159,8 @@ struct Case {
 
     input::Node resolved;  ///< every value with its origin: what `show` prints
     std::string warnings;  ///< ready to print; empty when there are none
+    /// Of the files that values name, by absolute path: their name and what tells their content.
+    std::map<std::string, std::string> files;
 
     const Shape* findShape(std::string_view name) const;
     const Body* findBody(std::string_view name) const;

@@ -15,6 +15,18 @@ void drop(input::Node& map, std::string_view key) {
     std::erase_if(map.entries, [&](const input::Node::Entry& e) { return e.key == key; });
 }
 
+/// A file is what it holds, wherever it lies.
+void replaceFiles(input::Node& node, const std::map<std::string, std::string>& files) {
+    for (input::Node& item : node.items) replaceFiles(item, files);
+    for (input::Node::Entry& entry : node.entries) {
+        const auto file = entry.key == "file" ? files.find(entry.value.text) : files.end();
+        if (file != files.end())
+            entry.value = input::Node::string(file->second);
+        else
+            replaceFiles(entry.value, files);
+    }
+}
+
 std::vector<std::string> linesOf(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream stream(text);
@@ -29,12 +41,18 @@ std::string physicsText(const Case& model) {
     // Of the variables only those are left that expressions of place and time use.
     for (const char* key : {"title", "outputs", "include"}) drop(resolved, key);
     if (input::Node* loop = resolved.find("loop")) drop(*loop, "end_time");
+    replaceFiles(resolved, model.files);
     return input::writeYaml(resolved, false);
 }
 
 std::string difference(const std::string& before, const std::string& after, std::size_t limit) {
-    const std::vector<std::string> a = linesOf(before);
-    const std::vector<std::string> b = linesOf(after);
+    std::vector<std::string> a = linesOf(before);
+    std::vector<std::string> b = linesOf(after);
+    // Most lines are the same, and the table below is as large as both texts multiplied.
+    while (!a.empty() && !b.empty() && a.back() == b.back()) a.pop_back(), b.pop_back();
+    const auto [first_a, first_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    a.erase(a.begin(), first_a);
+    b.erase(b.begin(), first_b);
     // Length of the longest common subsequence of the rests, for the shortest list of changes.
     std::vector<std::vector<std::size_t>> common(a.size() + 1,
                                                  std::vector<std::size_t>(b.size() + 1, 0));

@@ -4,6 +4,10 @@
 
 #include "case/phases.h"
 #include "input/load.h"
+#include "io/compress.h"
+
+#include <fmt/format.h>
+#include <filesystem>
 
 namespace sphinx::model {
 namespace {
@@ -19,6 +23,13 @@ void placeDomain(const Node& root, CaseBlock& block) {
     if (!domain) return;
     const Node* periodic = domain->find("periodic");
     block.domain.place = periodic ? periodic->place : domain->place;
+}
+
+std::string contentText(const std::string& path) {
+    const std::string content = readFile(path);
+    return fmt::format("{} ({} bytes, fingerprint {:016x})",
+                       std::filesystem::path(path).filename().string(), content.size(),
+                       io::fingerprint(content));
 }
 
 Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnostics) {
@@ -41,6 +52,7 @@ Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnost
 
     warnUnused(block, reader);
     model.warnings = diagnostics.text();
+    for (const std::string& path : reader.files) model.files[path] = contentText(path);
     block.variables = reader.scope.usedByFields();
     model.resolved = writeStructure(declaration, &block, &root);
     return model;

@@ -144,7 +144,9 @@ class FileType final : public TypeBase {
         std::error_code error;
         if (!fs::is_regular_file(path, error))
             return reader.error(node, "there is no file " + path.lexically_normal().string());
-        *static_cast<std::string*>(out) = fs::absolute(path, error).lexically_normal().string();
+        auto& file = *static_cast<std::string*>(out);
+        file = fs::absolute(path, error).lexically_normal().string();
+        reader.files.push_back(file);
         return true;
     }
     Node write(const void* value, const Node* source) const override {

@@ -66,6 +66,32 @@ class ChangedCase(Promise):
         self.assertIn("0.6", said)
         self.sphinx(path, output, "--resume")
 
+    def test_content_of_a_named_file_is_physics(self):
+        column, points = self.folder / "column.txt", self.folder / "points.csv"
+        column.write_text("0 0\n0.6 0\n0.6 0.6\n0 0.6\n")
+        points.write_text("1.5, 0.1\n0.3, 0.1\n")
+        case = load_case("splash_2d")
+        case["geometry"]["column"] = {"polygon": {"file": "column.txt"}}
+        case["bodies"]["probe"]["points"] = {"file": "points.csv"}
+        path, output = self.write_case("drawn", case), self.folder / "drawn_out"
+        self.sphinx(path, output, "--set", "loop.end_time=0.3")
+        before = content(output)
+        for file, other in ((column, "0 0\n0.6 0\n0.6 0.5\n0 0.6\n"), (points, "1.5, 0.2\n0.3, 0.1\n")):
+            with self.subTest(file=file.name):
+                good = file.read_text()
+                file.write_text(other)
+                said = self.sphinx(path, output, "--resume", expect=2)
+                self.assertRegex(said, rf"\n- +file: .{file.name} \({len(good)} bytes, .*\n"
+                                       rf"\+ +file: .{file.name} \({len(other)} bytes, ")
+                self.assertEqual(results.changed(before, content(output)), [])
+                file.write_text(good)
+        # The same files at another place are the same physics.
+        elsewhere = self.folder / "elsewhere"
+        elsewhere.mkdir()
+        for moved in (path, column, points):
+            moved.rename(elsewhere / moved.name)
+        self.sphinx(elsewhere / path.name, output, "--resume")
+
     def test_damaged_restarts(self):
         whole = self.folder / "whole"
         self.sphinx(self.case_file, whole)
