@@ -41,7 +41,10 @@ void show(const CommandLine& line, const input::Registry& registry) {
 }
 
 void check(const CommandLine& line, const input::Registry& registry) {
-    print(model::checkCase(model::readCase(line.case_file, line.overrides, registry)));
+    const model::CheckReport report =
+        model::checkCase(model::readCase(line.case_file, line.overrides, registry));
+    std::fputs(report.warnings.c_str(), stderr);
+    print(report.text);
 }
 
 /// "3h", "90min", "45s" or plain seconds; throws CaseError.

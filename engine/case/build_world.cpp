@@ -3,6 +3,7 @@
 #include "case/build_world.h"
 
 #include "case/check_particles.h"
+#include "case/check_walls.h"
 #include "case/initial_values.h"
 #include "materials/register.h"
 #include "particles/lattice.h"
@@ -107,7 +108,10 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
             body->spacing = body->sees.front()->spacing;
             body->kernel = body->sees.front()->kernel;
         }
-    if (particles) checkParticles(model, *world, diagnostics);
+    if (particles) {
+        checkParticles(model, *world, diagnostics);
+        checkWalls(model, *world, diagnostics);
+    }
     return world;
 }
 

@@ -115,7 +115,7 @@ std::string outputsText(const Case& model, const Outputs<Dim>& outputs,
 }
 
 template <int Dim>
-std::string check(const Case& model) {
+CheckReport check(const Case& model) {
     input::Diagnostics diagnostics;
     const PlacedFacts placed = loopFacts(model);
     checkLoop(placed, diagnostics);
@@ -140,12 +140,12 @@ std::string check(const Case& model) {
         out += fmt::format("  start: {}\n", line.label);
     printLayer(placed.facts.outermost, model.loop.layer, 1, out);
     out += outputsText(model, outputs, diagnostics);
-    return model.warnings + diagnostics.text() + out;
+    return {model.warnings + diagnostics.text(), out};
 }
 
 }  // namespace
 
-std::string checkCase(const Case& model) {
+CheckReport checkCase(const Case& model) {
     return model.dimension == 2 ? check<2>(model) : check<3>(model);
 }
 

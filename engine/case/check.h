@@ -8,9 +8,14 @@
 
 namespace sphinx::model {
 
-/// Everything but stepping: makes the particles and checks the loop. Returns what there is to know
-/// before a run: warnings, bodies with particle counts, memory, the loop as a tree, the outputs
-/// with their frames and disk space. Throws CaseError.
-std::string checkCase(const Case& model);
+/// What there is to know before a run.
+struct CheckReport {
+    std::string warnings;  ///< like Case::warnings, which they include
+    std::string text;      ///< bodies with particle counts, memory, the loop as a tree, the outputs
+                           ///< with their frames and disk space
+};
+
+/// Everything but stepping: makes the particles and checks the loop. Throws CaseError.
+CheckReport checkCase(const Case& model);
 
 }  // namespace sphinx::model

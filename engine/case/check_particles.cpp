@@ -15,12 +15,6 @@ namespace {
 constexpr double most_lattice_points = 1e10;
 
 template <int Dim>
-std::string placeText(const Vec<Dim>& p) {
-    return Dim == 2 ? fmt::format("({:g}, {:g})", p[0], p[1])
-                    : fmt::format("({:g}, {:g}, {:g})", p[0], p[1], p[Dim - 1]);
-}
-
-template <int Dim>
 void checkDomain(const Body& source, const sphinx::Body<Dim>& body,
                  const sphinx::Domain<Dim>& domain, input::Diagnostics& diagnostics) {
     if (body.kind != BodyKind::fluid) return;
@@ -96,6 +90,12 @@ void checkOverlap(const Body& source, const sphinx::Body<Dim>& a, const sphinx::
 }  // namespace
 
 template <int Dim>
+std::string placeText(const Vec<Dim>& p) {
+    return Dim == 2 ? fmt::format("({:g}, {:g})", p[0], p[1])
+                    : fmt::format("({:g}, {:g}, {:g})", p[0], p[1], p[Dim - 1]);
+}
+
+template <int Dim>
 void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
     for (const Body& source : model.bodies) {
         sphinx::Body<Dim>& body = *world.find(source.name);
@@ -137,6 +137,8 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
     }
 }
 
+template std::string placeText<2>(const Vec<2>&);
+template std::string placeText<3>(const Vec<3>&);
 template void checkLattices<2>(const Case&, input::Diagnostics&);
 template void checkLattices<3>(const Case&, input::Diagnostics&);
 template void checkParticles(const Case&, const World<2>&, input::Diagnostics&);

@@ -6,6 +6,8 @@
 #include "case/model.h"
 #include "input/diagnostics.h"
 
+#include <string>
+
 namespace sphinx::model {
 
 /// Reports lattices too large to be made.
@@ -16,5 +18,9 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics);
 /// values that are no numbers.
 template <int Dim>
 void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
+
+/// "(1, 2)", for messages.
+template <int Dim>
+std::string placeText(const Vec<Dim>& point);
 
 }  // namespace sphinx::model

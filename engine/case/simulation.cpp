@@ -46,7 +46,7 @@ class Simulation {
     }
 
     bool resuming() const { return options_.resume || !options_.restart.empty(); }
-    const std::string& warnings() const { return warnings_; }
+    std::string_view warnings() const { return warnings_; }
 
     /// Everything up to the first step, without touching the results folder; a restart is read.
     void prepare(const io::Provenance& provenance) {
@@ -237,8 +237,8 @@ int run(const Case& model, const RunOptions& options) {
     for (const auto& [name, value] : provenance.entries) log::fileOnly(name + ": " + value);
     log::info(fmt::format("{}{}", model.title.empty() ? caseName(model) : model.title,
                           simulation.resuming() ? ", resumed" : ""));
-    for (const std::string& text : {model.warnings, simulation.warnings()})
-        if (!text.empty()) log::warning(text);
+    for (const std::string_view text : {std::string_view(model.warnings), simulation.warnings()})
+        if (!text.empty()) log::message(text.substr(0, text.size() - 1));
     try {
         const int code = simulation.run();
         log::closeFile();

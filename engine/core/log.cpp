@@ -85,11 +85,11 @@ void warning(std::string_view line) {
     write(s.file, "warning: ", line);
 }
 
-void error(std::string_view line) {
+void message(std::string_view text) {
     State& s = state();
     std::lock_guard lock(s.mutex);
-    print(s, stderr, "error: ", line);
-    write(s.file, "error: ", line);
+    print(s, stderr, "", text);
+    write(s.file, "", text);
 }
 
 void fileOnly(std::string_view line) {

@@ -16,7 +16,7 @@ void closeFile();
 
 void info(std::string_view line);     ///< stdout and file
 void warning(std::string_view line);  ///< "warning: ..." to stderr and file; equal lines only once
-void error(std::string_view line);    ///< "error: ..." to stderr and file
+void message(std::string_view text);  ///< as it is, to stderr and file
 void fileOnly(std::string_view line);
 
 /// One line that stays below everything that is logged, rewritten in place (progress on a terminal;

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""What is doubtful is said once, on the terminal and in the log, and the run goes on."""
+
+import subprocess
+import unittest
+
+import support
+from support import Promise
+
+
+class Warned(Promise):
+    def check(self, *arguments):
+        done = subprocess.run([support.SPHINX, "check", str(self.case("splash_2d")), *arguments],
+                              capture_output=True, text=True, timeout=support.SECONDS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def run_with(self, *arguments):
+        said = self.sphinx(self.case("splash_2d"), self.folder / "out", *arguments)
+        self.assertIn("done at time", said)
+        return said, (self.folder / "out" / "log.txt").read_text()
+
+    def test_speed_and_density(self):
+        for said in self.run_with("--set", "materials.fresh_water.sound_speed=3*speed"):
+            self.assertRegex(said, r"warning: time [0-9.]+: water moves at [0-9.]+, more than a "
+                                   r"tenth of its sound speed 4.65; raise sound_speed\n")
+            self.assertRegex(said, r"warning: time [0-9.]+: the density of water is off by "
+                                   r"[0-9.]+ % \(up to 3 % is normal\)\n")
+            self.assertEqual(said.count("warning:"), 2)
+
+    def test_thin_wall(self):
+        for said in self.run_with("--set", "variables.wall_width=2*spacing",
+                                  "--set", "loop.end_time=0.1"):
+            self.assertRegex(said, r"(?m)^\S+:\d+:3: warning: wall is only 2 layers of particles "
+                                   r"thick, .*\n    wall:\n    \^\n(?!\n)")
+
+    def test_nothing_to_warn_of(self):
+        for said in self.run_with("--set", "loop.end_time=0.1"):
+            self.assertNotIn("warning", said)
+
+    def test_disk_space(self):
+        self.assertEqual(self.check().stderr, "")
+        done = self.check("--set", "outputs.frames.every={time: 1e-12}")
+        self.assertRegex(done.stderr, r"splash_2d.yaml:\d+:3: warning: the outputs may need \S+ TB, "
+                                      r"but the disk of this folder has \S+ .B left\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
