@@ -27,30 +27,47 @@ double Kernel<Dim>::derivative(double r) const {
     });
 }
 
+namespace {
+
+/// Point of the lattice at whole coordinates, with the volume 1 per point.
 template <int Dim>
-Kernel<Dim>::Kernel(KernelType type, double h, double spacing)
-    : type_(type), h_(h), spacing_(spacing) {
-    // Sum of V r abs(W')/Dim over the densest lattice with the volume spacing^Dim per point: for an
-    // isotropic arrangement that is each diagonal entry of the moment.
-    const int n = static_cast<int>(std::ceil(2 * cutoff() / spacing)) + 1;
+Vec<3> squarePoint(int i, int j, int k) {
+    return Vec<3>(i, j, k);
+}
+/// Hexagonal (face-centred cubic): the densest.
+template <int Dim>
+Vec<3> densestPoint(int i, int j, int k) {
+    if constexpr (Dim == 2)
+        return std::sqrt(2 / std::sqrt(3.0)) * Vec<3>(i + 0.5 * j, 0.5 * std::sqrt(3.0) * j, 0);
+    return std::pow(2.0, 1.0 / 6.0) / std::sqrt(2.0) * Vec<3>(i + j, j + k, i + k);
+}
+
+/// Sum of V r abs(W')/Dim over a lattice. That is each diagonal entry of -sum_j V_j r_ij (x) grad W,
+/// and what the sum of pairs for the Laplacian of a quadratic field gives of it.
+template <int Dim, class Point>
+double latticeMoment(const Kernel<Dim>& kernel, double spacing, Point&& point) {
+    // The lattices are at least half as far apart along each axis as their coordinates say.
+    const int n = static_cast<int>(std::ceil(2 * kernel.cutoff() / spacing)) + 1;
     double moment = 0;
     for (int k = Dim == 3 ? -n : 0; k <= (Dim == 3 ? n : 0); ++k)
         for (int j = -n; j <= n; ++j)
             for (int i = -n; i <= n; ++i) {
-                Vec<3> r;  // of the hexagonal or face-centred cubic lattice, unit edges
-                double edge = 0;
-                if constexpr (Dim == 2) {
-                    r = {i + 0.5 * j, 0.5 * std::sqrt(3.0) * j, 0};
-                    edge = std::sqrt(2 / std::sqrt(3.0));
-                } else {
-                    r = Vec<3>{i + j + 0.0, j + k + 0.0, i + k + 0.0} / std::sqrt(2.0);
-                    edge = std::pow(2.0, 1.0 / 6.0);
-                }
-                const double distance = edge * spacing * r.norm();
-                moment -= std::pow(spacing, Dim) * distance * derivative(distance) / Dim;
+                const double r = spacing * point(i, j, k).norm();
+                moment -= std::pow(spacing, Dim) * r * kernel.derivative(r) / Dim;
             }
-    gradient_factor_ = 1 / moment;
+    return moment;
 }
+
+}  // namespace
+
+template <int Dim>
+Kernel<Dim>::Kernel(KernelType type, double h, double spacing)
+    : type_(type),
+      h_(h),
+      spacing_(spacing),
+      gradient_factor_(1 / latticeMoment<Dim>(*this, spacing, densestPoint<Dim>)),
+      laplacian_factor_(
+          1 / (gradient_factor_ * latticeMoment<Dim>(*this, spacing, squarePoint<Dim>))) {}
 
 template <int Dim>
 double Kernel<Dim>::latticeSum() const {

@@ -76,7 +76,7 @@ def plot(case, table_name, exact, title):
     for time in TIMES:
         axes.plot(table[f"t{time:g}"], table["y"], "k+", markersize=4)
     axes.set(xlabel="velocity along the channel", ylabel="y", title=title)
-    axes.legend(title="lines: closed form\ndots: particles\n+: stored table", fontsize=8)
+    figure.legend(loc="outside right upper", title="lines: closed form\ndots: particles\n+: stored table", fontsize=8)
     checks.save_plot(figure, case, "profiles.png")
 
 

@@ -58,8 +58,8 @@ struct Tank : Scene<Dim> {
         Context<Dim> context{this->world, this->relations};
         acoustic = std::make_unique<fluid::PressureRelaxation<Dim>>(
             context, *water, fluid::Riemann::low_dissipation);
-        viscous =
-            std::make_unique<fluid::ViscousForce<Dim>>(context, *water, fluid::WallSlip::no_slip);
+        viscous = std::make_unique<fluid::ViscousForce<Dim>>(
+            context, *water, fluid::WallSlip::no_slip, fluid::ViscousForm::laplacian);
     }
     Body<Dim>& solid(const std::string& name, const Box<Dim>& box, int axis, double side) {
         Body<Dim>& body = this->add(name, BodyKind::solid);

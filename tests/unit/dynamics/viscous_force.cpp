@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fluid/viscous_force.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+using namespace sphinx;
+using namespace sphinx::fluid;
+
+namespace {
+
+constexpr double density = 2;
+constexpr double viscosity = 0.3;
+constexpr double spacing = 0.1;
+/// Lists hold gradients and distances in float.
+constexpr double float_error = 1e-6;
+
+/// Fluid whose particles have the given places and velocities and the volume spacing^Dim.
+template <int Dim>
+struct Fluid {
+    template <class Velocity>
+    Fluid(const std::vector<Vec<Dim>>& points, Velocity&& velocity, ViscousForm form) {
+        body = world.bodies.emplace_back(std::make_unique<Body<Dim>>()).get();
+        body->spacing = spacing;
+        body->kernel = Kernel<Dim>(KernelType::wendland_c2, 1.3 * spacing, spacing);
+        WeaklyCompressibleFluid::Parameters parameters;
+        parameters.density = density;
+        parameters.sound_speed = 10;
+        parameters.viscosity = viscosity;
+        body->material = std::make_shared<WeaklyCompressibleFluid>(parameters);
+        body->sees = {body};
+        ParticleSet<Dim>& p = body->particles;
+        p.append(points.size());
+        Context<Dim> context{world, relations};
+        ViscousForce<Dim> force(context, *body, WallSlip::no_slip, form);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            p.position()[i] = points[i];
+            p.vector(fields::velocity)[i] = velocity(points[i]);
+            p.scalar(fields::volume)[i] = std::pow(spacing, Dim);
+            p.scalar(fields::mass)[i] = density * std::pow(spacing, Dim);
+        }
+        relations.update({body});
+        force.run(0, {});
+    }
+    const Vec<Dim>& acceleration(std::size_t i) {
+        return body->particles.vector(fields::external_acceleration)[i];
+    }
+
+    World<Dim> world;
+    Relations<Dim> relations{world};
+    Body<Dim>* body;
+};
+
+/// A cube of (2n + 1)^Dim lattice points around the origin, which is the middle one of them; in each
+/// row, the points of one x for each y, displaced by `place` of the row along x.
+template <int Dim, class Place>
+std::vector<Vec<Dim>> rows(int n, Place&& place) {
+    std::vector<Vec<Dim>> points;
+    for (int k = Dim == 3 ? -n : 0; k <= (Dim == 3 ? n : 0); ++k)
+        for (int j = -n; j <= n; ++j)
+            for (int i = -n; i <= n; ++i) {
+                Vec<Dim> x = Vec<Dim>::Zero();
+                x[0] = spacing * (i + place(j));
+                x[1] = spacing * j;
+                if constexpr (Dim == 3) x[2] = spacing * k;
+                points.push_back(x);
+            }
+    return points;
+}
+
+/// What the force is of the exact one, at the middle particle of a flow along x with u = y^2.
+template <int Dim>
+double shareOfViscosity(const std::vector<Vec<Dim>>& points, ViscousForm form) {
+    Fluid<Dim> fluid(
+        points, [](const Vec<Dim>& x) -> Vec<Dim> { return x[1] * x[1] * Vec<Dim>::Unit(0); },
+        form);
+    return fluid.acceleration(points.size() / 2)[0] / (2 * viscosity / density);
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("on a lattice the laplacian is exact", "", ((int Dim), Dim), 2, 3) {
+    const auto lattice = rows<Dim>(5, [](int) { return 0; });
+    CHECK(std::abs(shareOfViscosity<Dim>(lattice, ViscousForm::laplacian) - 1) < float_error);
+}
+
+TEST_CASE("rows that glide past each other keep the laplacian, not the central force") {
+    const auto all = [](ViscousForm form, double low, double high) {
+        for (double glide = 0; glide < 1; glide += 0.125) {
+            INFO("each row " << glide << " spacings ahead");
+            const auto place = [=](int j) { return glide * j - std::round(glide * j); };
+            const double share = shareOfViscosity<2>(rows<2>(9, place), form);
+            CHECK(share > low);
+            CHECK(share < high);
+        }
+    };
+    all(ViscousForm::laplacian, 0.999, 1.001);
+    all(ViscousForm::central, 0.82, 0.94);
+}
+
+TEST_CASE("where sixfold symmetry makes neighbors alike the central force is exact") {
+    const double edge = std::sqrt(2 / std::sqrt(3.0));
+    std::vector<Vec<2>> points;
+    for (int j = -9; j <= 9; ++j)
+        for (int i = -9; i <= 9; ++i)
+            points.push_back(edge * spacing * Vec<2>(i + 0.5 * j, 0.5 * std::sqrt(3.0) * j));
+    CHECK(std::abs(shareOfViscosity<2>(points, ViscousForm::central) - 1) < float_error);
+}
+
+TEST_CASE("a free drop that turns") {
+    const double radius = 4;
+    const double turn = 3;  // speed of rotation
+    std::vector<Vec<2>> points;
+    for (const Vec<2>& x : rows<2>(40, [](int) { return 0; }))
+        if (x.norm() < radius) points.push_back(x);
+    const auto rigid = [=](const Vec<2>& x) -> Vec<2> { return {-turn * x[1], turn * x[0]}; };
+    const double scale = viscosity / density * turn / spacing;
+    const auto torque = [&](Fluid<2>& fluid) {
+        double sum = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec<2>& a = fluid.acceleration(i);
+            sum += density * spacing * spacing * (points[i][0] * a[1] - points[i][1] * a[0]);
+        }
+        return sum;
+    };
+
+    SECTION("feels no central force") {
+        Fluid<2> fluid(points, rigid, ViscousForm::central);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            CHECK(fluid.acceleration(i).norm() < float_error * scale);
+    }
+    SECTION("is slowed by the laplacian, but only at its surface") {
+        Fluid<2> fluid(points, rigid, ViscousForm::laplacian);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (points[i].norm() < radius - 4 * spacing)
+                CHECK(fluid.acceleration(i).norm() < float_error * scale);
+        // -2 mu turn area: the angular momentum decays at the rate 4 nu / radius^2. At the surface
+        // the sums of the kernel miss the neighbors of a strip of half a spacing or so.
+        const double area = std::numbers::pi * radius * radius;
+        CHECK(torque(fluid) == Approx(-2 * viscosity * turn * area).epsilon(0.05));
+    }
+}
