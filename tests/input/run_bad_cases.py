@@ -30,6 +30,9 @@ GENERATED = {
     "generated_deep_parentheses": lambda: "variables: {a: " + "(" * 500 + "1" + ")" * 500 + "}\n",
     "generated_long_dependency": lambda: "variables:\n  a0: 1\n"
     + "".join(f"  a{k}: a{k - 1} + 1\n" for k in range(1, 2000)),
+    "generated_bytes": lambda: bytes(range(32, 256)),
+    "generated_utf_16": lambda: "sphinx: 1\n".encode("utf-16-le"),
+    "generated_null_byte": lambda: "sphinx: 1\n\0\ntitle: none\n",
 }
 
 
@@ -65,7 +68,9 @@ def main():
     wanted = sys.argv[2:]
     with tempfile.TemporaryDirectory() as folder:
         for name, make in GENERATED.items():
-            pathlib.Path(folder, f"bad_{name}.yaml").write_text(make())
+            made = make()
+            content = made.encode() if isinstance(made, str) else made
+            pathlib.Path(folder, f"bad_{name}.yaml").write_bytes(content)
         paths = [*sorted(FOLDER.glob("bad_*.yaml")), *sorted(FOLDER.glob("warn_*.yaml")),
                  *sorted(pathlib.Path(folder).iterdir())]
         if wanted:
