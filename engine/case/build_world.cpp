@@ -4,6 +4,7 @@
 
 #include "case/check_particles.h"
 #include "case/check_walls.h"
+#include "case/fibres.h"
 #include "case/initial_values.h"
 #include "materials/register.h"
 #include "particles/lattice.h"
@@ -98,6 +99,8 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
         body->kernel = Kernel<Dim>(model.resolution.kernel, h, body->spacing);
         if (particles || source.kind == BodyKind::observer)
             makeParticles(model, source, world->domain, *body);
+        if (particles && hasFibres(model, source))
+            setFibres(*model.findMaterial(source.material.text), *body, diagnostics);
         world->bodies.push_back(std::move(body));
     }
     for (const auto& body : world->bodies)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/initial_values.h"
 
+#include "case/fibres.h"
 #include "core/parallel.h"
 #include "materials/fluid.h"
 
@@ -45,15 +46,14 @@ void setInitialValues(const Body& source, const std::vector<double>& volumes, do
     for (std::size_t i = 0; i < n; ++i) mass[i] = density[i] * volume[i];
 }
 
-std::vector<std::string> initialFields(BodyKind kind) {
-    switch (kind) {
-        case BodyKind::fluid:
-            return {"velocity", "density", "density_rate", "reference_density",
-                    "mass",     "volume",  "pressure"};
-        case BodyKind::solid: return {"velocity", "acceleration", "density", "mass", "volume"};
-        case BodyKind::observer: break;
-    }
-    return {};
+std::vector<std::string> initialFields(const Case& model, const Body& body) {
+    if (body.kind == BodyKind::observer) return {};
+    if (body.kind == BodyKind::fluid)
+        return {"velocity", "density", "density_rate", "reference_density",
+                "mass",     "volume",  "pressure"};
+    std::vector<std::string> names{"velocity", "acceleration", "density", "mass", "volume"};
+    if (hasFibres(model, body)) names.insert(names.end(), {"fibre", "sheet"});
+    return names;
 }
 
 template void setInitialValues(const Body&, const std::vector<double>&, double, sphinx::Body<2>&);

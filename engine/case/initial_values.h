@@ -16,6 +16,6 @@ void setInitialValues(const Body& source, const std::vector<double>& volumes, do
                       sphinx::Body<Dim>& body);
 
 /// Names of the fields that have a value before the first step.
-std::vector<std::string> initialFields(BodyKind kind);
+std::vector<std::string> initialFields(const Case& model, const Body& body);
 
 }  // namespace sphinx::model

@@ -20,7 +20,7 @@ class FactsMaker {
         for (const Body& body : model_.bodies) {
             if (body.kind == BodyKind::observer) continue;
             facts.bodies.push_back(
-                {body.name, body.kind == BodyKind::fluid, initialFields(body.kind)});
+                {body.name, body.kind == BodyKind::fluid, initialFields(model_, body)});
             for (const Contact& contact : model_.seenBy(body.name))
                 facts.lists.push_back({body.name, contact.body.text, false});
         }

@@ -52,9 +52,10 @@ bool dependsOnTime(const std::vector<input::FieldExpression>& fields) {
 template <int Dim>
 auto HolzapfelMuscleParameters::directions(const Vec<Dim>& place, Fibres<Dim>& fibres) const
     -> std::optional<Violation> {
+    const std::string where = constant(fibre) && constant(sheet) ? "" : " at " + text<Dim>(place);
     const Vec<Dim> along = evaluate<Dim>(fibre, place);
     if (!(along.norm() > 0) || !along.allFinite())
-        return Violation{"fibre", "the fibre " + text<Dim>(along) + " has no direction"};
+        return Violation{"fibre", "the fibre " + text<Dim>(along) + " has no direction" + where};
     fibres.fibre = along.normalized();
     if (sheet.empty()) {
         if constexpr (Dim == 2) fibres.sheet << -fibres.fibre[1], fibres.fibre[0];
@@ -62,13 +63,13 @@ auto HolzapfelMuscleParameters::directions(const Vec<Dim>& place, Fibres<Dim>& f
     }
     const Vec<Dim> across = evaluate<Dim>(sheet, place);
     if (!(across.norm() > 0) || !across.allFinite())
-        return Violation{"sheet", "the sheet " + text<Dim>(across) + " has no direction"};
+        return Violation{"sheet", "the sheet " + text<Dim>(across) + " has no direction" + where};
     fibres.sheet = across.normalized();
     const double cosine = fibres.fibre.dot(fibres.sheet);
     if (std::abs(cosine) > 1e-3)
         return Violation{"sheet", fmt::format("the sheet {} must be orthogonal to the fibre {}, "
-                                              "but the cosine of their angle is {:.4g}",
-                                              text<Dim>(across), text<Dim>(along), cosine)};
+                                              "but the cosine of their angle is {:.4g}{}",
+                                              text<Dim>(across), text<Dim>(along), cosine, where)};
     fibres.sheet = (fibres.sheet - cosine * fibres.fibre).normalized();
     return {};
 }

@@ -58,6 +58,7 @@ void declareWeaklyCompressibleFluid(input::Registry& registry) {
 void registerMaterials(input::Registry& registry) {
     declareRigid(registry);
     declareWeaklyCompressibleFluid(registry);
+    registerElasticSolids(registry);
 }
 
 }  // namespace sphinx

@@ -15,5 +15,7 @@ using MaterialFactory = std::function<std::shared_ptr<const Material>(const void
 
 /// Declares every material.
 void registerMaterials(input::Registry& registry);
+/// The part of it that is ElasticSolid.
+void registerElasticSolids(input::Registry& registry);
 
 }  // namespace sphinx

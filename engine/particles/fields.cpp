@@ -19,6 +19,8 @@ const std::vector<const FieldInfo*>& all() {
         &external_acceleration,
         &normal,
         &depth,
+        &fibre,
+        &sheet,
     };
     return list;
 }

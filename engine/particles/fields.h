@@ -31,6 +31,10 @@ inline constexpr FieldInfo external_acceleration{
     "acceleration by all other forces (gravity, viscosity), held over a substep"};
 inline constexpr FieldInfo normal{"normal", Rank::vector, unit::none,
                                   "outward unit normal of the body's surface"};
+inline constexpr FieldInfo fibre{"fibre", Rank::vector, unit::none,
+                                 "unit direction of the fibres in the reference configuration"};
+inline constexpr FieldInfo sheet{"sheet", Rank::vector, unit::none,
+                                 "unit direction of the sheets in the reference configuration"};
 inline constexpr FieldInfo depth{"depth", Rank::scalar, unit::length,
                                  "distance of a solid particle from the body's surface"};
 
