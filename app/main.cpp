@@ -162,7 +162,7 @@ int main(int argc, char** argv) {
         printError(std::string("error: ") + e.what());
         return sphinx::exit_files_failed;
     } catch (const std::bad_alloc&) {
-        printError("error: the case needs more memory than there is; sphinx check tells how much");
+        printError("error: the case needs more memory than there is");
         return sphinx::exit_case_wrong;
     }
 }

@@ -130,7 +130,7 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
         const Vec<Dim> cells = shape.bounds().size() / spacing;
         if (!(cells.prod() <= most_lattice_points && cells.maxCoeff() <= most_lattice_points))
             diagnostics.error(source.place,
-                              fmt::format("the lattice of spacing {:g} has {:.1g} points in the box "
+                              fmt::format("the lattice of spacing {:g} has {:.3g} points in the box "
                                           "around {}; the most is {:.0e}",
                                           spacing, cells.prod(), source.name,
                                           most_lattice_points));
