@@ -19,21 +19,20 @@ struct Pairs {
 };
 
 /// term(Pairs) for all neighbors of i, eight at a time. Unused places have a zero gradient, so a term
-/// that is linear in the gradient needs no mask. The length of the gradient is taken in float, as
-/// it is stored: it is the same for ij and ji.
+/// that is linear in the gradient needs no mask. The squares of the gradient's floats
+/// are summed in double, where they are exact: in float a fused multiplication would make the length
+/// depend on the order of the axes, and a turned case would not move as the original.
 template <int Dim, class Term>
 inline void forEachPair(const NeighborList<Dim, float>& list, std::size_t i, Term&& term) {
     for (const PairBlock<Dim, float>& block : list.of(i)) {
-        FloatLanes g[Dim];
-        FloatLanes norm2 = {};
+        Lanes norm2 = {};
         Pairs<Dim> pairs;
         pairs.index = block.index;
         for (int c = 0; c < Dim; ++c) {
-            g[c] = loadFloatLanes(block.gradient[c]);
-            norm2 += g[c] * g[c];
-            pairs.gradient[c] = toLanes(g[c]);
+            pairs.gradient[c] = loadLanes(block.gradient[c]);
+            norm2 += pairs.gradient[c] * pairs.gradient[c];
         }
-        const FloatLanes norm = sqrtLanes(norm2);
+        const FloatLanes norm = sqrtLanes(toFloat(norm2));
         const FloatLanes tiny = FloatLanes{} + 1e-30f;
         pairs.dW = toLanes(norm);
         pairs.inverse_dW = toLanes(1.0f / (norm + tiny));
