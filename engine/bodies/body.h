@@ -15,6 +15,12 @@ namespace sphinx {
 
 enum class BodyKind { fluid, solid, observer };
 
+/// Particles of a body that lie in a shape at the start.
+struct BodyPart {
+    std::string name;
+    AlignedVector<Index> particles;  ///< ascending
+};
+
 /// Particles with a material, a shape and a resolution.
 template <int Dim>
 struct Body {
@@ -27,6 +33,9 @@ struct Body {
     Kernel<Dim> kernel;
     Vec<Dim> gravity = Vec<Dim>::Zero();          ///< sum of its uniform gravities, acceleration
     std::vector<Body*> sees;                      ///< topology: whose particles act on this body
+    /// Neighbors that are one piece of material with this body (topology: bonded).
+    std::vector<Body*> bonded;
+    std::vector<BodyPart> parts;
     /// Counts every change of positions or order of the particles: a list that was built at
     /// another count is stale.
     std::uint64_t version = 0;

@@ -6,6 +6,7 @@
 #include "case/check_walls.h"
 #include "case/fibres.h"
 #include "case/initial_values.h"
+#include "case/parts.h"
 #include "materials/register.h"
 #include "particles/lattice.h"
 
@@ -71,6 +72,10 @@ void makeParticles(const Case& model, const Body& source, const sphinx::Domain<D
     for (std::size_t i = 0; i < points.size(); ++i) body.particles.position()[i] = points[i];
     if (source.kind == BodyKind::observer) return;
     setInitialValues(source, volumes, model.loop.start_time, body);
+    if (keepsInitialPosition(model, source)) {
+        auto& start = body.particles.vector(fields::initial_position);
+        for (std::size_t i = 0; i < points.size(); ++i) start[i] = points[i];
+    }
 }
 
 }  // namespace
@@ -97,6 +102,7 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
         body->spacing = source.spacing(model.resolution);
         const double h = source.smoothingRatio(model.resolution) * body->spacing;
         body->kernel = Kernel<Dim>(model.resolution.kernel, h, body->spacing);
+        for (const Part& part : source.parts) body->parts.push_back({part.name, {}});
         if (particles || source.kind == BodyKind::observer)
             makeParticles(model, source, world->domain, *body);
         if (particles && hasFibres(model, source))
@@ -104,14 +110,17 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
         world->bodies.push_back(std::move(body));
     }
     for (const auto& body : world->bodies)
-        for (const Contact& contact : model.seenBy(body->name))
-            body->sees.push_back(world->find(contact.body.text));
+        for (const Contact& contact : model.seenBy(body->name)) {
+            sphinx::Body<Dim>* other = world->find(contact.body.text);
+            (contact.bonded ? body->bonded : body->sees).push_back(other);
+        }
     for (const auto& body : world->bodies)
         if (body->kind == BodyKind::observer && !body->sees.empty()) {
             body->spacing = body->sees.front()->spacing;
             body->kernel = body->sees.front()->kernel;
         }
     if (particles) {
+        fillParts(model, *world);
         checkParticles(model, *world, diagnostics);
         checkWalls(model, *world, diagnostics);
     }

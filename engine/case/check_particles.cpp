@@ -107,6 +107,11 @@ void checkParticles(const Case& model, const World<Dim>& world, input::Diagnosti
                             body.name, body.spacing));
             continue;
         }
+        for (std::size_t k = 0; k < body.parts.size(); ++k)
+            if (body.parts[k].particles.empty())
+                diagnostics.error(source.parts[k].place,
+                                  fmt::format("the part '{}' of {} holds none of its particles",
+                                              body.parts[k].name, body.name));
         checkDomain<Dim>(source, body, world.domain, diagnostics);
         if (body.kind != BodyKind::observer) checkInitialValues<Dim>(source, body, diagnostics);
     }

@@ -3,7 +3,9 @@
 #include "case/initial_values.h"
 
 #include "case/fibres.h"
+#include "case/parts.h"
 #include "core/parallel.h"
+#include "materials/elastic_solid.h"
 #include "materials/fluid.h"
 
 namespace sphinx::model {
@@ -44,6 +46,10 @@ void setInitialValues(const Body& source, const std::vector<double>& volumes, do
         for (std::size_t i = 0; i < n; ++i) reference[i] = density[i];
     }
     for (std::size_t i = 0; i < n; ++i) mass[i] = density[i] * volume[i];
+    if (dynamic_cast<const ElasticSolid*>(body.material.get())) {
+        auto& average_velocity = particles.vector(fields::average_velocity);
+        for (std::size_t i = 0; i < n; ++i) average_velocity[i] = velocity[i];
+    }
 }
 
 std::vector<std::string> initialFields(const Case& model, const Body& body) {
@@ -53,6 +59,11 @@ std::vector<std::string> initialFields(const Case& model, const Body& body) {
                 "mass",     "volume",  "pressure"};
     std::vector<std::string> names{"velocity", "acceleration", "density", "mass", "volume"};
     if (hasFibres(model, body)) names.insert(names.end(), {"fibre", "sheet"});
+    if (isElastic(model, body))
+        names.insert(names.end(),
+                     {"external_acceleration", "pressure_force", "viscous_force",
+                      "average_velocity", "average_acceleration"});
+    if (keepsInitialPosition(model, body)) names.emplace_back("initial_position");
     return names;
 }
 

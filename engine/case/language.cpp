@@ -79,7 +79,7 @@ void declareDomain(Registry& registry) {
     d.optional("upper", &P::upper, coordinates(unit::length),
                "corner of the largest coordinates; default: that of all shapes");
     d.optional("periodic", &P::periodic,
-               list(choice<int>({{"x", 0, ""}, {"y", 1, ""}, {"z", 2, ""}})),
+               axes(),
                "axes along which the domain repeats");
     d.optional(
         "lost_particles", &P::lost,

@@ -19,10 +19,15 @@ class FactsMaker {
         loop::LoopFacts& facts = result_.facts;
         for (const Body& body : model_.bodies) {
             if (body.kind == BodyKind::observer) continue;
+            const bool elastic = isElastic(model_, body);
+            // An elastic body may be held as a whole: the base of a gate.
             facts.bodies.push_back(
                 {body.name, body.kind == BodyKind::fluid, initialFields(model_, body)});
-            for (const Contact& contact : model_.seenBy(body.name))
-                facts.lists.push_back({body.name, contact.body.text, false});
+            for (const Contact& contact : model_.seenBy(body.name)) {
+                const bool own = contact.body.text == body.name;
+                facts.lists.push_back(
+                    {body.name, contact.body.text, contact.bonded || (elastic && own)});
+            }
         }
         for (const Step& step : model_.loop.start) facts.start.push_back(line(step));
         facts.outermost = layer(model_.loop.layer);

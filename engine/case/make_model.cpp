@@ -140,6 +140,11 @@ Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& dia
     return model;
 }
 
+bool isElastic(const Case& model, const Body& body) {
+    const Component* material = model.findMaterial(body.material.text);
+    return material && material->declaration->hasTrait("elastic");
+}
+
 double Body::spacing(const Resolution& reference) const {
     return resolution.spacing ? *resolution.spacing
                               : std::ldexp(reference.spacing, -resolution.level);

@@ -170,4 +170,7 @@ struct Case {
     const std::vector<Contact>& seenBy(std::string_view body) const;
 };
 
+/// Whether the body's material is an elastic solid.
+bool isElastic(const Case& model, const Body& body);
+
 }  // namespace sphinx::model

@@ -7,6 +7,7 @@
 #include "case/build_world.h"
 #include "case/failed_state.h"
 #include "case/health.h"
+#include "case/parts.h"
 #include "case/physics_text.h"
 #include "case/provenance.h"
 #include "case/restart_fields.h"
@@ -41,8 +42,8 @@ class Simulation {
         diagnostics.throwIfErrors();
         warnings_ = diagnostics.text();
         relations_ = std::make_unique<Relations<Dim>>(*world_);
-        Context<Dim> context{*world_, *relations_};
-        methods_ = std::make_unique<Methods<Dim>>(model, context);
+        context_.emplace(Context<Dim>{*world_, *relations_});
+        methods_ = std::make_unique<Methods<Dim>>(model, *context_);
     }
 
     bool resuming() const { return options_.resume || !options_.restart.empty(); }
@@ -183,6 +184,7 @@ class Simulation {
             bodies.push_back(body.get());
         }
         relations_->update(bodies);
+        fillParts(model_, *world_);
     }
 
     /// For inspection; the last good restart stays as it is.
@@ -208,6 +210,7 @@ class Simulation {
     RestartSource source_;
     std::unique_ptr<World<Dim>> world_;
     std::unique_ptr<Relations<Dim>> relations_;
+    std::optional<Context<Dim>> context_;
     std::unique_ptr<Methods<Dim>> methods_;
     std::optional<Outputs<Dim>> outputs_;
     std::unique_ptr<loop::Runner> runner_;

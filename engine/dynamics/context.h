@@ -7,11 +7,18 @@
 
 namespace sphinx {
 
-/// What methods are built from.
+namespace fluid {
+template <int Dim>
+class SolidLoad;
+}
+
+/// What methods are built from. It lives as long as they do.
 template <int Dim>
 struct Context {
     World<Dim>& world;
     Relations<Dim>& relations;
+    /// Methods by which a fluid pushes solids; each adds itself when it is built.
+    std::vector<const fluid::SolidLoad<Dim>*> loads = {};
 };
 
 }  // namespace sphinx

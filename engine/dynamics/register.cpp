@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/register.h"
 
+#include "dynamics/constraint/fix.h"
 #include "dynamics/fluid/acoustic_time_step.h"
 #include "dynamics/fluid/advection_time_step.h"
 #include "dynamics/fluid/density_summation.h"
@@ -12,10 +13,19 @@
 #include "dynamics/geometry/normals_from_shape.h"
 #include "dynamics/neighbors/update.h"
 #include "dynamics/particles/sort.h"
+#include "dynamics/fsi/average_kinematics.h"
+#include "dynamics/fsi/pressure_force.h"
+#include "dynamics/fsi/viscous_force.h"
+#include "dynamics/solid/acoustic_time_step.h"
+#include "dynamics/solid/linear_correction.h"
+#include "dynamics/solid/stress_relaxation.h"
+#include "dynamics/solid/stress_update.h"
+#include "dynamics/solid/update_normals.h"
 
 namespace sphinx {
 
 void registerDynamics(input::Registry& registry) {
+    constraint::declareFix(registry);
     fluid::declareAcousticTimeStep(registry);
     fluid::declareAdvectionTimeStep(registry);
     fluid::declareDensitySummation(registry);
@@ -23,9 +33,17 @@ void registerDynamics(input::Registry& registry) {
     fluid::declareViscousForce(registry);
     force::declareBodyForce(registry);
     force::declareGravity(registry);
+    fsi::declareAverageKinematics(registry);
+    fsi::declarePressureForce(registry);
+    fsi::declareViscousForce(registry);
     geometry::declareNormalsFromShape(registry);
     neighbors::declareUpdate(registry);
     particles::declareSort(registry);
+    solid::declareAcousticTimeStep(registry);
+    solid::declareLinearCorrection(registry);
+    solid::declareStressRelaxation(registry);
+    solid::declareStressUpdate(registry);
+    solid::declareUpdateNormals(registry);
 }
 
 }  // namespace sphinx

@@ -120,6 +120,9 @@ Type<E> choice(std::initializer_list<Choice<E>> choices) {
         [](const void* p) { return static_cast<long long>(*static_cast<const E*>(p)); }));
 }
 
+/// Axes of the case: [x, y], 0 is x.
+Type<std::vector<int>> axes();
+
 /// References; that the named thing exists and fits is checked once everything has been read.
 /// `traits`: one of them must be the body's kind (fluid, solid, observer), its material's type, or
 /// a trait of that type's declaration (elastic, rigid).

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/reader.h"
 #include "input/type_support.h"
+#include "input/type_templates.h"
 
 #include <fmt/format.h>
 
@@ -211,6 +212,10 @@ TypePointer makeOptional(TypePointer type, OptionalAccess access) {
 }
 TypePointer makeStructure(const Declaration& declaration) {
     return std::make_shared<StructureType>(declaration);
+}
+
+Type<std::vector<int>> axes() {
+    return list(choice<int>({{"x", 0, ""}, {"y", 1, ""}, {"z", 2, ""}}));
 }
 
 }  // namespace sphinx::input::detail

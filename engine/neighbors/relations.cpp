@@ -7,6 +7,15 @@
 #include <algorithm>
 
 namespace sphinx {
+namespace {
+
+/// Both directions of a pair of different smoothing lengths use the larger.
+template <int Dim>
+const Kernel<Dim>& commonKernel(const Body<Dim>& a, const Body<Dim>& b) {
+    return a.kernel.smoothingLength() >= b.kernel.smoothingLength() ? a.kernel : b.kernel;
+}
+
+}  // namespace
 
 template <int Dim>
 Relation<Dim>& Relations<Dim>::relation(Body<Dim>& from, Body<Dim>& to) {
@@ -32,11 +41,8 @@ const CellGrid<Dim>& Relations<Dim>::grid(Body<Dim>& body) {
 template <int Dim>
 void Relations<Dim>::update(Relation<Dim>& r) {
     if (r.from_version == r.from->version && r.to_version == r.to->version) return;
-    // Both directions of a pair of different smoothing lengths use the larger.
-    const Kernel<Dim>& kernel =
-        r.from->kernel.smoothingLength() >= r.to->kernel.smoothingLength() ? r.from->kernel
-                                                                            : r.to->kernel;
-    buildList(grid(*r.from), grid(*r.to), r.from == r.to, kernel, world_->domain, r.list);
+    buildList(grid(*r.from), grid(*r.to), r.from == r.to, commonKernel(*r.from, *r.to),
+              world_->domain, r.list);
     r.from_version = r.from->version;
     r.to_version = r.to->version;
 }
@@ -53,8 +59,49 @@ void Relations<Dim>::update(const std::vector<Body<Dim>*>& bodies) {
 }
 
 template <int Dim>
+ReferenceRelation<Dim>& Relations<Dim>::reference(Body<Dim>& from, Body<Dim>& to) {
+    for (const auto& r : references_)
+        if (r->from == &from && r->to == &to) return *r;
+    auto r = std::make_unique<ReferenceRelation<Dim>>();
+    r->from = &from;
+    r->to = &to;
+    references_.push_back(std::move(r));
+    return *references_.back();
+}
+
+template <int Dim>
+void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
+    if (r.built) return;
+    const auto cells = [](Body<Dim>& body) {
+        CellGrid<Dim> grid;
+        grid.build(body.particles.vector(fields::initial_position).data(), body.size(),
+                   body.kernel.cutoff());
+        return grid;
+    };
+    const bool same = r.from == r.to;
+    buildList(cells(*r.from), cells(*r.to), same, commonKernel(*r.from, *r.to), world_->domain,
+              r.list);
+    const Field<double>& volume = r.to->particles.scalar(fields::volume);
+    r.gradient_sum.assign(r.from->size(), Vec<Dim>::Zero());
+    for (std::size_t i = 0; i < r.from->size(); ++i) {
+        const auto& range = r.list.ranges[i];
+        for (std::uint64_t b = range.first; b < range.first + range.blocks; ++b) {
+            auto& block = r.list.blocks[b];
+            for (int k = 0; k < lane_count; ++k)
+                for (int c = 0; c < Dim; ++c) {
+                    block.gradient[c][k] *= volume[block.index[k]];
+                    r.gradient_sum[i][c] += block.gradient[c][k];
+                }
+        }
+    }
+    r.built = true;
+}
+
+template <int Dim>
 std::size_t Relations<Dim>::bytes() const {
     std::size_t sum = 0;
+    for (const auto& r : references_)
+        sum += r->list.bytes() + r->gradient_sum.capacity() * sizeof(Vec<Dim>);
     for (const auto& r : relations_) sum += r->list.bytes();
     for (const auto& [body, grid] : grids_) sum += grid.cells.bytes();
     return sum;

@@ -22,6 +22,17 @@ struct Relation {
     std::uint64_t to_version = ~std::uint64_t{0};
 };
 
+/// Neighbors in the reference configuration of an elastic body, in itself or in a body that is one
+/// piece of material with it. Built once, from the initial positions, when first asked for.
+template <int Dim>
+struct ReferenceRelation {
+    Body<Dim>* from = nullptr;
+    Body<Dim>* to = nullptr;
+    bool built = false;
+    NeighborList<Dim, double> list;  ///< the gradients are multiplied by V_j: e_ij W'_ij V_j
+    AlignedVector<Vec<Dim>> gradient_sum;  ///< sum_j e_ij W'_ij V_j, 1/length
+};
+
 /// All relations of a simulation and the cell grids they share, one grid per body.
 template <int Dim>
 class Relations {
@@ -36,6 +47,11 @@ class Relations {
     /// Rebuilds this one if it is stale.
     void update(Relation<Dim>& relation);
 
+    /// The relation of the reference configuration, made on first use. Its address stays.
+    ReferenceRelation<Dim>& reference(Body<Dim>& from, Body<Dim>& to);
+    /// Builds its list if that has not been done. Both bodies have a field initial_position.
+    void build(ReferenceRelation<Dim>& relation);
+
     std::size_t bytes() const;
 
    private:
@@ -47,6 +63,7 @@ class Relations {
 
     World<Dim>* world_;
     std::vector<std::unique_ptr<Relation<Dim>>> relations_;
+    std::vector<std::unique_ptr<ReferenceRelation<Dim>>> references_;
     std::map<const Body<Dim>*, Grid> grids_;
 };
 

@@ -21,6 +21,16 @@ const std::vector<const FieldInfo*>& all() {
         &depth,
         &fibre,
         &sheet,
+        &initial_position,
+        &initial_normal,
+        &correction_matrix,
+        &deformation_gradient,
+        &deformation_rate,
+        &corrected_stress,
+        &pressure_force,
+        &viscous_force,
+        &average_velocity,
+        &average_acceleration,
     };
     return list;
 }

@@ -35,6 +35,30 @@ inline constexpr FieldInfo fibre{"fibre", Rank::vector, unit::none,
                                  "unit direction of the fibres in the reference configuration"};
 inline constexpr FieldInfo sheet{"sheet", Rank::vector, unit::none,
                                  "unit direction of the sheets in the reference configuration"};
+inline constexpr FieldInfo initial_position{"initial_position", Rank::vector, unit::length,
+                                            "position in the reference configuration"};
+inline constexpr FieldInfo initial_normal{"initial_normal", Rank::vector, unit::none,
+                                          "outward unit normal in the reference configuration"};
+inline constexpr FieldInfo correction_matrix{
+    "correction_matrix", Rank::matrix, unit::none,
+    "makes gradients in the reference configuration exact for linear functions"};
+inline constexpr FieldInfo deformation_gradient{"deformation_gradient", Rank::matrix, unit::none,
+                                                "deformation gradient F"};
+inline constexpr FieldInfo deformation_rate{"deformation_rate", Rank::matrix, unit::frequency,
+                                            "rate of change of the deformation gradient"};
+inline constexpr FieldInfo corrected_stress{
+    "corrected_stress", Rank::matrix, unit::pressure,
+    "first Piola-Kirchhoff stress times the transposed correction matrix, at the half step"};
+inline constexpr FieldInfo pressure_force{"pressure_force", Rank::vector, unit::force,
+                                          "force of fluids on a solid particle by pressure"};
+inline constexpr FieldInfo viscous_force{"viscous_force", Rank::vector, unit::force,
+                                         "force of fluids on a solid particle by viscosity"};
+inline constexpr FieldInfo average_velocity{
+    "average_velocity", Rank::vector, unit::velocity,
+    "velocity of a solid particle, averaged over the fluid's acoustic step"};
+inline constexpr FieldInfo average_acceleration{
+    "average_acceleration", Rank::vector, unit::acceleration,
+    "acceleration of a solid particle, averaged over the fluid's acoustic step"};
 inline constexpr FieldInfo depth{"depth", Rank::scalar, unit::length,
                                  "distance of a solid particle from the body's surface"};
 

@@ -3,31 +3,10 @@
 #include "dynamics/fluid/pressure_relaxation.h"
 
 #include "core/parallel.h"
-#include "dynamics/pair_loop.h"
+#include "dynamics/fluid/wall_pairs.h"
 
 namespace sphinx::fluid {
 namespace {
-
-/// Eight wall particles as a fluid particle meets them.
-template <int Dim>
-struct WallLanes {
-    Lanes n[Dim];       // unit, from the wall to the fluid
-    Lanes closing;      // -(v_i - v_w) . n
-    Lanes V;
-};
-
-template <int Dim>
-Lanes dot(const Lanes a[Dim], const Lanes b[Dim]) {
-    Lanes sum = a[0] * b[0];
-    for (int c = 1; c < Dim; ++c) sum += a[c] * b[c];
-    return sum;
-}
-
-template <int Dim>
-void gatherVector(const Vec<Dim>* values, const std::uint32_t* index, Lanes out[Dim]) {
-    for (int k = 0; k < lane_count; ++k)
-        for (int c = 0; c < Dim; ++c) out[c][k] = values[index[k]][c];
-}
 
 template <class F>
 void withRiemann(Riemann riemann, F&& f) {
@@ -56,16 +35,14 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& bo
       density_(body.particles.scalar(fields::density)),
       density_rate_(body.particles.scalar(fields::density_rate)),
       pressure_(body.particles.scalar(fields::pressure)) {
+    context.loads.push_back(this);
     for (Body<Dim>* other : body.sees) {
         Relation<Dim>& relation = context.relations.relation(body, *other);
         if (other == &body) {
             self_ = &relation;
         } else {
             relation.list.keep_distance = true;
-            ParticleSet<Dim>& p = other->particles;
-            walls_.push_back({&relation, &p.vector(fields::velocity),
-                              &p.vector(fields::acceleration), &p.vector(fields::normal),
-                              &p.scalar(fields::volume)});
+            walls_.push_back({&relation, WallFields<Dim>(*other)});
         }
     }
 }
@@ -121,57 +98,6 @@ void PressureRelaxation<Dim>::predict(double dt) {
     }
 }
 
-namespace {
-
-/// The wall's side of eight pairs.
-template <int Dim, class Wall>
-WallLanes<Dim> wallSide(const Wall& wall, const Pairs<Dim>& pair, const Vec<Dim>& v) {
-    WallLanes<Dim> w;
-    Lanes vw[Dim];
-    gatherVector<Dim>(wall.velocity->data(), pair.index, vw);
-    gatherVector<Dim>(wall.normal->data(), pair.index, w.n);
-    w.V = gatherLanes(wall.volume->data(), pair.index);
-    // e_ij points from the wall to the fluid and gradient = -abs(W') e_ij.
-    const Lanes side = dot<Dim>(w.n, pair.gradient);
-    const Lanes sign = side > 0.0 ? lanes(-1) : lanes(1);
-    w.closing = Lanes{};
-    for (int c = 0; c < Dim; ++c) {
-        w.n[c] *= sign;
-        w.closing -= (v[c] - vw[c]) * w.n[c];
-    }
-    return w;
-}
-
-/// Pressure of the ghost less that of the fluid, g_i being the fluid particle's acceleration.
-template <int Dim, class Wall>
-Lanes ghostPressure(const Wall& wall, const Pairs<Dim>& pair, const float* distance,
-                    const Vec<Dim>& g, double rho) {
-    Lanes aw[Dim];
-    gatherVector<Dim>(wall.acceleration->data(), pair.index, aw);
-    Lanes pull = {};  // (g_i - a_w) . (-e_ij)
-    for (int c = 0; c < Dim; ++c) pull += (g[c] - aw[c]) * pair.gradient[c];
-    return rho * loadLanes(distance) * maxLanes(pull * pair.inverse_dW, Lanes{});
-}
-
-/// Adds sum_j 2 p*_ij e_ij W' V_j over the wall particles j near the fluid particle i.
-template <Riemann R, int Dim, class Wall>
-inline void addWallPressure(const Wall& wall, const NeighborList<Dim>& list, std::size_t i,
-                            const RiemannConstants& constants, const Vec<Dim>& v, const Vec<Dim>& g,
-                            double p, double rho, Lanes sum[Dim]) {
-    const float* distance = list.distancesOf(i);
-    forEachPair(list, i, [&](const Pairs<Dim>& pair) {
-        const WallLanes<Dim> w = wallSide<Dim>(wall, pair, v);
-        const Lanes ghost = ghostPressure<Dim>(wall, pair, distance, g, rho);
-        // The ghost moves with the mirrored normal velocity: closing at twice the speed.
-        const Lanes p2 = 2.0 * p + ghost + pressureJump<R>(constants, 2.0 * w.closing);
-        const Lanes f = p2 * w.V;
-        for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
-        distance += lane_count;
-    });
-}
-
-}  // namespace
-
 template <int Dim>
 template <Riemann R>
 void PressureRelaxation<Dim>::momentum(double dt) {
@@ -197,10 +123,9 @@ void PressureRelaxation<Dim>::momentum(double dt) {
             });
             const Vec<Dim> v = velocity_[i];
             const Vec<Dim> g = external_[i];
-            for (const Wall& wall : walls_) {
-                addWallPressure<R>(wall, wall.relation->list, i, constants_, v, g, si.p,
-                                   density_[i], sum);
-            }
+            const FluidLanes<Dim> fluid = oneFluid<Dim>(v, g, si.p, density_[i]);
+            for (const Wall& wall : walls_)
+                addWallPressure<R>(wall.fields, wall.relation->list, i, constants_, fluid, sum);
             PairState<Dim>& next = after_[i];
             const double factor = -dt * si.V / mass_[i];
             for (int c = 0; c < Dim; ++c) {
@@ -228,8 +153,9 @@ Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
                     for (std::size_t i = begin; i < end; ++i) {
                         if (list.ranges[i].count == 0) continue;
                         Lanes sum[Dim] = {};
-                        addWallPressure<R>(wall, list, i, constants_, velocity_[i], external_[i],
-                                           pressure_[i], density_[i], sum);
+                        const FluidLanes<Dim> fluid = oneFluid<Dim>(velocity_[i], external_[i],
+                                                                    pressure_[i], density_[i]);
+                        addWallPressure<R>(wall.fields, list, i, constants_, fluid, sum);
                         for (int c = 0; c < Dim; ++c) part[c] += volume_[i] * sumLanes(sum[c]);
                     }
                     return part;
@@ -238,6 +164,24 @@ Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
         });
     }
     return force;
+}
+
+template <int Dim>
+void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                                        Field<Vec<Dim>>& force) const {
+    for (const Wall& wall : walls_) {
+        if (wall.relation->to != &solid) continue;
+        withRiemann(riemann_, [&]<Riemann R>() {
+            parallelFor(solid.size(), [&](std::size_t j) {
+                if (list.ranges[j].count == 0) return;
+                Lanes sum[Dim] = {};
+                addFluidPressure<R>(wall.fields, list, j, constants_, before_.data(), external_,
+                                    density_, sum);
+                const double V = (*wall.fields.volume)[j];
+                for (int c = 0; c < Dim; ++c) force[j][c] -= V * sumLanes(sum[c]);
+            });
+        });
+    }
 }
 
 template <int Dim>
@@ -258,12 +202,8 @@ void PressureRelaxation<Dim>::continuity(double dt) {
             });
             const Vec<Dim> v = velocity_[i];
             for (const Wall& wall : walls_) {
-                const NeighborList<Dim>& list = wall.relation->list;
-                forEachPair(list, i, [&](const Pairs<Dim>& pair) {
-                    // The ghost has the fluid's own pressure above the hydrostatic.
-                    const WallLanes<Dim> w = wallSide<Dim>(wall, pair, v);
-                    sum -= 2.0 * w.closing * dot<Dim>(w.n, pair.gradient) * w.V;
-                });
+                // The ghost has the fluid's own pressure above the hydrostatic.
+                sum -= 2.0 * wallClosure<Dim>(wall.fields, wall.relation->list, i, v);
             }
             const double rate = density_[i] * sumLanes(sum);
             density_rate_[i] = rate;
@@ -292,12 +232,16 @@ void declarePressureRelaxation(input::Registry& registry) {
     d.action("first_half", "density, pressure and position to the half step; velocity by a whole step")
         .reads("body", {"velocity", "mass", "density", "density_rate", "position",
                         "external_acceleration", "neighbors"})
-        .reads("neighbors.solid", {"velocity", "acceleration", "normal", "volume"})
+        .reads("neighbors.solid", {"normal", "volume"})
+        .reads("neighbors.rigid", {"velocity", "acceleration"})
+        .reads("neighbors.elastic", {"average_velocity", "average_acceleration"})
         .writes("body", {"density", "pressure", "volume", "position", "velocity"});
     d.action("second_half", "rate of change of the density; density and position to the full step")
         .reads("body", {"velocity", "pressure", "volume", "density", "position",
                         "external_acceleration", "neighbors"})
-        .reads("neighbors.solid", {"velocity", "acceleration", "normal", "volume"})
+        .reads("neighbors.solid", {"normal", "volume"})
+        .reads("neighbors.rigid", {"velocity", "acceleration"})
+        .reads("neighbors.elastic", {"average_velocity", "average_acceleration"})
         .writes("body", {"density_rate", "density", "position"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<PressureRelaxation<Dim>>(context, bodyOf(context, p.body),

@@ -6,6 +6,7 @@
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/riemann.h"
 #include "dynamics/fluid/solid_load.h"
+#include "dynamics/fluid/wall_fields.h"
 #include "materials/fluid.h"
 
 namespace sphinx::fluid {
@@ -40,6 +41,8 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
     LoadKind loadKind() const override { return LoadKind::pressure; }
     Body<Dim>& fluid() const override { return *body_; }
     Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const override;
+    void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                   Field<Vec<Dim>>& force) const override;
 
     void firstHalf(double dt);
     void secondHalf(double dt);
@@ -47,10 +50,7 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
    private:
     struct Wall {
         const Relation<Dim>* relation;
-        const Field<Vec<Dim>>* velocity;
-        const Field<Vec<Dim>>* acceleration;
-        const Field<Vec<Dim>>* normal;
-        const Field<double>* volume;
+        WallFields<Dim> fields;
     };
     void predict(double dt);
     template <Riemann R>

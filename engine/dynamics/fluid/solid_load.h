@@ -22,6 +22,11 @@ class SolidLoad {
     /// Sum of the forces on the solid at the present state; zero when the method does not act on it.
     /// `list`: the fluid's neighbors in the solid at the present positions, with distances.
     virtual Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const = 0;
+    /// Adds to `force` what each particle of the solid gets, exactly minus what the fluid has felt in
+    /// its last sum. `list`: the solid's neighbors in the fluid that belong to the fluid's in the
+    /// solid, with distances.
+    virtual void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                           Field<Vec<Dim>>& force) const { (void)solid; (void)list; (void)force; }
 };
 
 }  // namespace sphinx::fluid

@@ -11,7 +11,8 @@ struct NormalsFromShapeParameters {
 };
 
 /// Normal and depth of every particle from the signed distance of the body's shape: the normal of
-/// the nearest point of its surface, outwards, and the distance to it.
+/// the nearest point of its surface, outwards, and the distance to it. Bodies bonded to it belong to
+/// the shape: where two parts of one piece meet is no surface.
 template <int Dim>
 class NormalsFromShape final : public Method {
    public:
@@ -22,7 +23,9 @@ class NormalsFromShape final : public Method {
 
    private:
     Body<Dim>* body_;
+    ShapePointer<Dim> shape_;
     Field<Vec<Dim>>& normal_;
+    Field<Vec<Dim>>& initial_normal_;
     Field<double>& depth_;
 };
 

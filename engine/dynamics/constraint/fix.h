@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+#include "dynamics/constraint/support.h"
+#include "dynamics/part.h"
+
+#include <array>
+
+namespace sphinx::constraint {
+
+struct FixParameters {
+    input::Name part;
+    std::vector<int> directions;
+};
+
+/// Holds particles of an elastic body where they are: v = 0, in all or some directions. Between the
+/// halves of the step, after the velocity has got its kick m dv = f dt, which is minus what the
+/// support gives.
+template <int Dim>
+class Fix final : public Method, public Support<Dim> {
+   public:
+    Fix(Part<Dim> part, const std::vector<int>& directions);
+    void run(int action, const Clock& clock) override;
+    std::size_t workSize() const override { return part_.size(); }
+
+    const Body<Dim>& supported() const override { return part_.body(); }
+    Vec<Dim> reaction() const override { return reaction_; }
+    void transfer(Archive& archive) override;
+
+   private:
+    Part<Dim> part_;
+    std::array<bool, Dim> fixed_{};
+    Field<Vec<Dim>>& velocity_;
+    Field<double>& mass_;
+    Vec<Dim> reaction_ = Vec<Dim>::Zero();
+};
+
+/// Registers constraint.fix.
+void declareFix(input::Registry& registry);
+
+extern template class Fix<2>;
+extern template class Fix<3>;
+
+}  // namespace sphinx::constraint

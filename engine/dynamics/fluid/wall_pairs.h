@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The pressure between a fluid particle and a dummy particle of a wall, eight pairs at a time: of
+// one fluid particle with eight of a wall, or of one wall particle with eight of the fluid. Both
+// get the same numbers, so what one loses the other gains.
+
+#include "dynamics/fluid/pair_state.h"
+#include "dynamics/fluid/riemann.h"
+#include "dynamics/fluid/wall_fields.h"
+#include "dynamics/pair_loop.h"
+
+namespace sphinx::fluid {
+
+template <int Dim>
+inline Lanes dot(const Lanes (&a)[Dim], const Lanes (&b)[Dim]) {
+    Lanes sum = a[0] * b[0];
+    for (int c = 1; c < Dim; ++c) sum += a[c] * b[c];
+    return sum;
+}
+
+/// The fluid's side of eight pairs.
+template <int Dim>
+struct FluidLanes {
+    Lanes v[Dim];
+    Lanes g[Dim];  ///< acceleration by other forces than pressure
+    Lanes p;
+    Lanes rho;
+};
+
+/// The wall's side of eight pairs.
+template <int Dim>
+struct WallLanes {
+    Lanes v[Dim];
+    Lanes a[Dim];
+    Lanes n[Dim];
+};
+
+template <int Dim>
+inline void spread(const Vec<Dim>& value, Lanes (&out)[Dim]) {
+    for (int c = 0; c < Dim; ++c) out[c] = lanes(value[c]);
+}
+template <int Dim>
+inline void gather(const Field<Vec<Dim>>& values, const std::uint32_t* index, Lanes (&out)[Dim]) {
+    for (int c = 0; c < Dim; ++c) {
+        const auto at = [&](int k) { return values[index[k]][c]; };
+        out[c] = Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+    }
+}
+
+/// Turns the normals from the wall to the fluid and returns -(v_i - v_w) . n: closing in.
+/// `gradient` = e_ij W' = -abs(W') e_ij of the fluid particle, so that e_ij points to the fluid.
+template <int Dim>
+inline Lanes closingSpeed(const Lanes (&v)[Dim], WallLanes<Dim>& wall,
+                          const Lanes (&gradient)[Dim]) {
+    const Lanes sign = dot<Dim>(wall.n, gradient) > 0.0 ? lanes(-1) : lanes(1);
+    Lanes closing = {};
+    for (int c = 0; c < Dim; ++c) {
+        wall.n[c] *= sign;
+        closing -= (v[c] - wall.v[c]) * wall.n[c];
+    }
+    return closing;
+}
+
+/// Twice the pressure p* of the one-sided Riemann problem: p_i, the pressure of the ghost
+/// p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij), and what closing in at twice the speed adds, since
+/// the ghost moves with the mirrored normal velocity.
+template <Riemann R, int Dim>
+inline Lanes twiceWallPressure(const RiemannConstants& constants, const FluidLanes<Dim>& fluid,
+                               WallLanes<Dim>& wall, const Lanes (&gradient)[Dim],
+                               Lanes inverse_dW, Lanes r) {
+    Lanes pull = {};  // (g_i - a_w) . (-e_ij)
+    for (int c = 0; c < Dim; ++c) pull += (fluid.g[c] - wall.a[c]) * gradient[c];
+    const Lanes ghost = fluid.rho * r * maxLanes(pull * inverse_dW, Lanes{});
+    const Lanes closing = closingSpeed<Dim>(fluid.v, wall, gradient);
+    return 2.0 * fluid.p + ghost + pressureJump<R>(constants, 2.0 * closing);
+}
+
+template <int Dim>
+inline FluidLanes<Dim> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, double p, double rho) {
+    FluidLanes<Dim> fluid;
+    spread<Dim>(v, fluid.v);
+    spread<Dim>(g, fluid.g);
+    fluid.p = lanes(p);
+    fluid.rho = lanes(rho);
+    return fluid;
+}
+
+/// Sum over the wall particles j near the fluid particle i of the speed of closing in, times
+/// n . e_ij W' V_j.
+template <int Dim>
+inline double wallClosure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
+                          std::size_t i, const Vec<Dim>& velocity) {
+    Lanes v[Dim];
+    spread<Dim>(velocity, v);
+    Lanes sum = {};
+    forEachPair(list, i, [&](const Pairs<Dim>& pair) {
+        WallLanes<Dim> wall;
+        gather<Dim>(*fields.velocity, pair.index, wall.v);
+        gather<Dim>(*fields.normal, pair.index, wall.n);
+        const Lanes closing = closingSpeed<Dim>(v, wall, pair.gradient);
+        sum += closing * dot<Dim>(wall.n, pair.gradient) *
+               gatherLanes(fields.volume->data(), pair.index);
+    });
+    return sumLanes(sum);
+}
+
+/// Adds sum_j 2 p*_ij e_ij W' V_j over the wall particles j near one fluid particle i.
+template <Riemann R, int Dim>
+inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
+                            std::size_t i, const RiemannConstants& constants,
+                            const FluidLanes<Dim>& fluid, Lanes (&sum)[Dim]) {
+    const float* r = list.distancesOf(i);
+    forEachPair(list, i, [&](const Pairs<Dim>& pair) {
+        WallLanes<Dim> wall;
+        gather<Dim>(*fields.velocity, pair.index, wall.v);
+        gather<Dim>(*fields.acceleration, pair.index, wall.a);
+        gather<Dim>(*fields.normal, pair.index, wall.n);
+        const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, pair.gradient,
+                                                   pair.inverse_dW, loadLanes(r));
+        const Lanes f = p2 * gatherLanes(fields.volume->data(), pair.index);
+        for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+        r += lane_count;
+    });
+}
+
+/// The same for one wall particle j over the fluid particles i near it, from the states that the
+/// fluid has packed: adds sum_i 2 p*_ij e_ji W' V_i.
+template <Riemann R, int Dim>
+inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
+                             std::size_t j, const RiemannConstants& constants,
+                             const PairState<Dim>* states, const Field<Vec<Dim>>& external,
+                             const Field<double>& density, Lanes (&sum)[Dim]) {
+    const float* r = list.distancesOf(j);
+    forEachPair(list, j, [&](const Pairs<Dim>& pair) {
+        WallLanes<Dim> wall;
+        spread<Dim>((*fields.velocity)[j], wall.v);
+        spread<Dim>((*fields.acceleration)[j], wall.a);
+        spread<Dim>((*fields.normal)[j], wall.n);
+        FluidLanes<Dim> fluid;
+        const PairLanes<Dim> state = sphinx::fluid::gather(states, pair.index);
+        for (int c = 0; c < Dim; ++c) fluid.v[c] = state.v[c];
+        fluid.p = state.p;
+        gather<Dim>(external, pair.index, fluid.g);
+        fluid.rho = gatherLanes(density.data(), pair.index);
+        Lanes gradient[Dim];
+        for (int c = 0; c < Dim; ++c) gradient[c] = -pair.gradient[c];
+        const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, gradient,
+                                                   pair.inverse_dW, loadLanes(r));
+        const Lanes f = p2 * state.V;
+        for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+        r += lane_count;
+    });
+}
+
+}  // namespace sphinx::fluid

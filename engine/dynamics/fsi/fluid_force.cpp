@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fsi/fluid_force.h"
+
+namespace sphinx::fsi {
+
+template <int Dim>
+FluidForce<Dim>::FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& fluid,
+                            fluid::LoadKind kind, Field<Vec<Dim>>& force)
+    : context_(&context),
+      solid_(&solid),
+      fluid_(&fluid),
+      kind_(kind),
+      relation_(&context.relations.relation(solid, fluid)),
+      force_(force) {
+    relation_->list.keep_distance = true;
+}
+
+template <int Dim>
+void FluidForce<Dim>::run(int, const Clock&) {
+    force_.setZero();
+    for (const fluid::SolidLoad<Dim>* load : context_->loads)
+        if (load->loadKind() == kind_ && &load->fluid() == fluid_)
+            load->addForces(*solid_, relation_->list, force_);
+}
+
+template class FluidForce<2>;
+template class FluidForce<3>;
+
+}  // namespace sphinx::fsi

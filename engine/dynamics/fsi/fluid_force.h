@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+#include "dynamics/fluid/solid_load.h"
+
+namespace sphinx::fsi {
+
+struct FluidForceParameters {
+    input::Name body;
+    input::Name from;
+};
+
+/// Force of a fluid on the particles of a solid: exactly minus what the fluid has felt from them, by
+/// the pair terms of the fluid's own method (fluid::SolidLoad). Written to `force`, so a solid has
+/// one fluid of each kind of load.
+template <int Dim>
+class FluidForce : public Method {
+   public:
+    FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& fluid, fluid::LoadKind kind,
+               Field<Vec<Dim>>& force);
+    void run(int action, const Clock& clock) override;
+    std::size_t workSize() const override { return solid_->size(); }
+
+   private:
+    Context<Dim>* context_;
+    Body<Dim>* solid_;
+    Body<Dim>* fluid_;
+    fluid::LoadKind kind_;
+    Relation<Dim>* relation_;  // of the solid to the fluid
+    Field<Vec<Dim>>& force_;
+};
+
+extern template class FluidForce<2>;
+extern template class FluidForce<3>;
+
+}  // namespace sphinx::fsi

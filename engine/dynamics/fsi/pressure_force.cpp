@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fsi/pressure_force.h"
+
+namespace sphinx::fsi {
+
+void declarePressureForce(input::Registry& registry) {
+    using P = FluidForceParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "fsi.pressure_force");
+    d.summary("Pressure of a fluid on the particles of an elastic body; after the first half of the "
+              "fluid's pressure relaxation");
+    d.formula("f_j = -sum_i 2 p*_ij e_ji W' V_i V_j, minus what the fluid has felt (guide 2.2.4)");
+    d.citation("Zhang, Rezavand & Hu 2021, doi:10.1016/j.jcp.2020.110028");
+    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
+    d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that pushes it");
+    d.action("", "")
+        .reads("body", {"normal", "volume", "average_velocity", "average_acceleration",
+                        "neighbors"})
+        .reads("from", {"pressure", "density", "volume", "external_acceleration"})
+        .writes("body", {"pressure_force"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        Body<Dim>& body = bodyOf(context, p.body);
+        return std::make_unique<FluidForce<Dim>>(context, body, bodyOf(context, p.from),
+                                                 fluid::LoadKind::pressure,
+                                                 body.particles.vector(fields::pressure_force));
+    }));
+}
+
+}  // namespace sphinx::fsi

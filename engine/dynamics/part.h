@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/context.h"
+#include "input/values.h"
+
+namespace sphinx {
+
+/// Particles that a method acts on: those of a part ("gate.base"), or all of a body ("gate").
+template <int Dim>
+class Part {
+   public:
+    /// `name`: a checked reference.
+    Part(Context<Dim>& context, const input::Name& name) {
+        const std::size_t dot = name.text.find('.');
+        body_ = context.world.find(name.text.substr(0, dot));
+        if (dot == std::string::npos) return;
+        for (const BodyPart& part : body_->parts)
+            if (part.name == name.text.substr(dot + 1)) particles_ = &part.particles;
+    }
+
+    Body<Dim>& body() const { return *body_; }
+    std::size_t size() const { return particles_ ? particles_->size() : body_->size(); }
+    /// Index in the body of the n-th particle.
+    std::size_t operator[](std::size_t n) const { return particles_ ? (*particles_)[n] : n; }
+
+   private:
+    Body<Dim>* body_;
+    const AlignedVector<Index>* particles_ = nullptr;
+};
+
+}  // namespace sphinx

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/solid/acoustic_time_step.h"
+
+#include "core/parallel.h"
+#include "dynamics/solid/fibres.h"
+#include "materials/elastic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sphinx::solid {
+namespace {
+
+/// Largest modulus, squared speed and squared acceleration of the particles.
+struct Largest {
+    double modulus = 0;
+    double speed2 = 0;
+    double acceleration2 = 0;
+};
+
+}  // namespace
+
+template <int Dim>
+AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
+    : body_(&body),
+      solid_(&dynamic_cast<const ElasticSolid&>(*body.material)),
+      cfl_(cfl),
+      velocity_(body.particles.vector(fields::velocity)),
+      acceleration_(body.particles.vector(fields::acceleration)),
+      gradient_(body.particles.matrix(fields::deformation_gradient)) {}
+
+template <int Dim>
+double AcousticTimeStep<Dim>::estimate() {
+    const Largest largest = withLaw(*solid_, [&](const auto& law) {
+        const ParticleFibres<Dim> fibres(*body_, std::decay_t<decltype(law)>::uses_fibres);
+        return parallelReduce(
+            body_->size(), Largest{},
+            [&](std::size_t begin, std::size_t end) {
+                Largest most;
+                for (std::size_t i = begin; i < end; ++i) {
+                    const Mat<Dim>& F = gradient_[i];
+                    Mat<Dim> C = F.transpose() * F;
+                    for (int c = 0; c < Dim; ++c)
+                        for (int d = 0; d < c; ++d) C(c, d) = C(d, c);
+                    const double modulus = law.template tangentModulus<Dim>(C, fibres[i]);
+                    most.modulus = std::max(most.modulus, modulus);
+                    most.speed2 = std::max(most.speed2, velocity_[i].squaredNorm());
+                    most.acceleration2 =
+                        std::max(most.acceleration2, acceleration_[i].squaredNorm());
+                }
+                return most;
+            },
+            [](const Largest& a, const Largest& b) -> Largest {
+                return {std::max(a.modulus, b.modulus), std::max(a.speed2, b.speed2),
+                        std::max(a.acceleration2, b.acceleration2)};
+            });
+    });
+    const double h = body_->kernel.smoothingLength();
+    const double rho0 = solid_->density();
+    double step = h / (std::sqrt(largest.modulus / rho0) + std::sqrt(largest.speed2));
+    if (largest.acceleration2 > 0)
+        step = std::min(step, std::sqrt(h / std::sqrt(largest.acceleration2)));
+    step *= cfl_;
+    const double eta = solid_->damping();
+    if (eta > 0) step = std::min(step, 0.25 * rho0 * h * h / eta);
+    return step;
+}
+
+void declareAcousticTimeStep(input::Registry& registry) {
+    using P = AcousticTimeStepParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "solid.acoustic_time_step");
+    d.summary("Time step of an elastic body by its speed of sound, acceleration and damping");
+    d.formula("min(cfl h/(c + abs(v)), cfl sqrt(h/abs(a)), rho0 h^2/(4 eta)), c^2 = tangent "
+              "modulus / rho0");
+    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
+    d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
+    d.timeStep("").reads("body", {"velocity", "acceleration", "deformation_gradient"});
+    d.builder(factory<TimeStepMethod, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<AcousticTimeStep<Dim>>(bodyOf(context, p.body), p.cfl);
+    }));
+}
+
+template class AcousticTimeStep<2>;
+template class AcousticTimeStep<3>;
+
+}  // namespace sphinx::solid

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/clock.h"
+#include "dynamics/context.h"
+#include "materials/elastic_solid.h"
+
+#include <vector>
+
+namespace sphinx::solid {
+
+/// Deformation and stress of an elastic body whose neighbors are those of the reference
+/// configuration: in itself and in the bodies bonded to it. Gradients g_ij = e_ij W'_ij V_j.
+template <int Dim>
+class Deformation {
+   public:
+    Deformation(Context<Dim>& context, Body<Dim>& body);
+
+    Body<Dim>& body() const { return *body_; }
+
+    /// Builds the lists where that has not been done (after a restart, too).
+    void prepare();
+    /// B_i = (-sum_j R_ij (x) g_ij)^-1, guide (30); F from the positions, (29), and dF/dt from the
+    /// velocities. PhysicsError where a particle has too few neighbors.
+    void initialize();
+    /// F += dt/2 dF/dt; then the stress P = F S of the law and of the damping (16), kept as
+    /// T = P B^T, and the density rho0 / det F, (4). PhysicsError where det F is not above 0 or the
+    /// law has no stress.
+    void firstHalf(const Clock& clock);
+    /// dF/dt = (-sum_j v_ij (x) g_ij) B_i, then F += dt/2 dF/dt.
+    void secondHalf(double dt);
+    /// sum_j (T_i + T_j) g_ij = div P at particle i, force/volume; guide (31) in the form that is
+    /// conjugate to (29).
+    Vec<Dim> stressDivergence(std::size_t i) const;
+
+   private:
+    struct Neighbors {
+        ReferenceRelation<Dim>* relation;
+        const Field<Vec<Dim>>* position;
+        const Field<Vec<Dim>>* initial_position;
+        const Field<Vec<Dim>>* velocity;
+        const Field<Mat<Dim>>* stress;
+    };
+    using NeighborField = const Field<Vec<Dim>>* Neighbors::*;
+    /// -sum_j (a_i - a_j) (x) g_ij
+    Mat<Dim> difference(std::size_t i, const Vec<Dim>& own, NeighborField values) const;
+    template <class Law>
+    void stress(const Law& law, const Clock& clock);
+    [[noreturn]] void fail(std::size_t i, const std::string& what, const Clock& clock) const;
+
+    Relations<Dim>* relations_;
+    Body<Dim>* body_;
+    const ElasticSolid* solid_;
+    std::vector<Neighbors> neighbors_;
+    bool prepared_ = false;
+
+    Field<Vec<Dim>>& position_;
+    Field<Vec<Dim>>& initial_position_;
+    Field<Vec<Dim>>& velocity_;
+    Field<double>& density_;
+    Field<Mat<Dim>>& correction_;
+    Field<Mat<Dim>>& gradient_;
+    Field<Mat<Dim>>& rate_;
+    Field<Mat<Dim>>& stress_;
+};
+
+extern template class Deformation<2>;
+extern template class Deformation<3>;
+
+}  // namespace sphinx::solid

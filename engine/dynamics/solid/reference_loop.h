@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/lanes.h"
+#include "neighbors/relations.h"
+
+// Sums over neighbors in the reference configuration, eight at a time.
+// gradient = e_ij W'_ij V_j, 1/length; unused places have a zero gradient.
+namespace sphinx::solid {
+
+/// Components of eight vectors.
+template <int Dim>
+inline void gather(const Vec<Dim>* values, const std::uint32_t* index, Lanes out[Dim]) {
+    for (int c = 0; c < Dim; ++c) {
+        const auto component = [&](int k) { return values[index[k]][c]; };
+        out[c] = Lanes{component(0), component(1), component(2), component(3),
+                       component(4), component(5), component(6), component(7)};
+    }
+}
+
+/// Adds sum_j a_j (x) g_j over the neighbors of i to `sum`, a of eight particles at a time.
+template <int Dim>
+inline void addOuter(const NeighborList<Dim, double>& list, std::size_t i, const Vec<Dim>* values,
+                     Lanes sum[Dim][Dim]) {
+    for (const auto& block : list.of(i)) {
+        Lanes a[Dim];
+        gather<Dim>(values, block.index, a);
+        for (int d = 0; d < Dim; ++d) {
+            const Lanes g = loadLanes(block.gradient[d]);
+            for (int c = 0; c < Dim; ++c) sum[c][d] += a[c] * g;
+        }
+    }
+}
+
+/// Adds sum_j T_j g_j over the neighbors of i to `sum`.
+template <int Dim>
+inline void addProduct(const NeighborList<Dim, double>& list, std::size_t i, const Mat<Dim>* values,
+                       Lanes sum[Dim]) {
+    const double* flat = values->data();
+    for (const auto& block : list.of(i)) {
+        if constexpr (Dim == 2) {
+            Lanes t[4];
+            gatherRecords<4>(flat, block.index, t);
+            const Lanes g0 = loadLanes(block.gradient[0]);
+            const Lanes g1 = loadLanes(block.gradient[1]);
+            sum[0] += t[0] * g0 + t[2] * g1;
+            sum[1] += t[1] * g0 + t[3] * g1;
+        } else {
+            for (int d = 0; d < Dim; ++d) {
+                const Lanes g = loadLanes(block.gradient[d]);
+                for (int c = 0; c < Dim; ++c) {
+                    const double* column = flat + Dim * d + c;
+                    const auto at = [&](int k) {
+                        return column[static_cast<std::size_t>(Dim * Dim) * block.index[k]];
+                    };
+                    sum[c] += g * Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+                }
+            }
+        }
+    }
+}
+
+}  // namespace sphinx::solid

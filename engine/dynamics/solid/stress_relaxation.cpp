@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/solid/stress_relaxation.h"
+
+#include "core/parallel.h"
+
+namespace sphinx::solid {
+
+template <int Dim>
+StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, Body<Dim>& body)
+    : body_(&body),
+      deformation_(context, body),
+      position_(body.particles.position()),
+      velocity_(body.particles.vector(fields::velocity)),
+      acceleration_(body.particles.vector(fields::acceleration)),
+      external_(body.particles.vector(fields::external_acceleration)),
+      pressure_force_(body.particles.vector(fields::pressure_force)),
+      viscous_force_(body.particles.vector(fields::viscous_force)),
+      mass_(body.particles.scalar(fields::mass)),
+      volume_(body.particles.scalar(fields::volume)) {}
+
+template <int Dim>
+void StressRelaxation<Dim>::run(int action, const Clock& clock) {
+    if (action == 0)
+        firstHalf(clock);
+    else
+        secondHalf(clock.dt);
+}
+
+template <int Dim>
+void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
+    deformation_.firstHalf(clock);
+    const double dt = clock.dt;
+    parallelFor(body_->size(), [&](std::size_t i) {
+        const Vec<Dim> force = volume_[i] * deformation_.stressDivergence(i) +
+                               pressure_force_[i] + viscous_force_[i];
+        const Vec<Dim> a = force / mass_[i] + external_[i];
+        acceleration_[i] = a;
+        position_[i] += 0.5 * dt * velocity_[i];
+        velocity_[i] += dt * a;
+    });
+}
+
+template <int Dim>
+void StressRelaxation<Dim>::secondHalf(double dt) {
+    deformation_.secondHalf(dt);
+    parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
+    ++body_->version;
+}
+
+void declareStressRelaxation(input::Registry& registry) {
+    using P = StressRelaxationParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "solid.stress_relaxation");
+    d.summary("Step of an elastic body in two halves around the sum of its stresses");
+    d.formula(
+        "guide (5), (29), (31) as drift-kick-drift; m_i dv_i/dt = sum_j (P_i B_i^T + P_j B_j^T) "
+        "e_ij W' V_i V_j, dF_i/dt = -sum_j v_ij (x) e_ij W' V_j B_i");
+    d.citation("Vignjevic, Reveles & Campbell 2006, doi:10.3970/cmes.2006.014.181; Bonet & Lok "
+               "1999, doi:10.1016/S0045-7825(99)00051-1 (conjugate form)");
+    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is stepped");
+    d.action("first_half", "deformation, stress and position to the half step; velocity by a whole "
+                           "step")
+        .reads("body", {"initial_position", "position", "velocity", "mass", "volume",
+                        "correction_matrix", "deformation_gradient", "deformation_rate",
+                        "external_acceleration", "pressure_force", "viscous_force"})
+        .writes("body", {"deformation_gradient", "corrected_stress", "density", "position",
+                         "velocity", "acceleration"});
+    d.action("second_half", "rate of the deformation; deformation and position to the full step")
+        .reads("body", {"position", "velocity", "correction_matrix", "deformation_gradient"})
+        .writes("body", {"deformation_rate", "deformation_gradient", "position"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<StressRelaxation<Dim>>(context, bodyOf(context, p.body));
+    }));
+}
+
+template class StressRelaxation<2>;
+template class StressRelaxation<3>;
+
+}  // namespace sphinx::solid

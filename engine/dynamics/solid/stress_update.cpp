@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/solid/stress_update.h"
+
+namespace sphinx::solid {
+
+void declareStressUpdate(input::Registry& registry) {
+    using P = StressUpdateParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "solid.stress_update");
+    d.summary("Stress of an elastic body whose particles are held, for bodies bonded to it");
+    d.formula("guide (29), (6): F += dt/2 dF/dt and P(F) in the first half; dF/dt and F += dt/2 "
+              "dF/dt in the second");
+    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is held");
+    d.action("first_half", "deformation and stress to the half step")
+        .reads("body", {"initial_position", "velocity", "volume", "correction_matrix",
+                        "deformation_gradient", "deformation_rate"})
+        .writes("body", {"deformation_gradient", "corrected_stress", "density"});
+    d.action("second_half", "rate of the deformation; deformation to the full step")
+        .reads("body", {"velocity", "correction_matrix", "deformation_gradient"})
+        .reads("neighbors.elastic", {"velocity"})
+        .writes("body", {"deformation_rate", "deformation_gradient"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<StressUpdate<Dim>>(context, bodyOf(context, p.body));
+    }));
+}
+
+}  // namespace sphinx::solid

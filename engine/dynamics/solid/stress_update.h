@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+#include "dynamics/solid/deformation.h"
+
+namespace sphinx::solid {
+
+struct StressUpdateParameters {
+    input::Name body;
+};
+
+/// Deformation and stress of an elastic body whose particles are held, in two halves around the
+/// step of a body that is bonded to it: guide, chapter 5, the base of the gate. Nothing moves.
+template <int Dim>
+class StressUpdate final : public Method {
+   public:
+    StressUpdate(Context<Dim>& context, Body<Dim>& body) : deformation_(context, body) {}
+    void run(int action, const Clock& clock) override {
+        if (action == 0)
+            deformation_.firstHalf(clock);
+        else
+            deformation_.secondHalf(clock.dt);
+    }
+    std::size_t workSize() const override { return deformation_.body().size(); }
+
+   private:
+    Deformation<Dim> deformation_;
+};
+
+/// Registers solid.stress_update.
+void declareStressUpdate(input::Registry& registry);
+
+}  // namespace sphinx::solid

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/solid/update_normals.h"
+
+#include "core/parallel.h"
+
+#include <Eigen/LU>
+
+namespace sphinx::solid {
+
+template <int Dim>
+UpdateNormals<Dim>::UpdateNormals(Body<Dim>& body)
+    : body_(&body),
+      normal_(body.particles.vector(fields::normal)),
+      initial_normal_(body.particles.vector(fields::initial_normal)),
+      gradient_(body.particles.matrix(fields::deformation_gradient)) {}
+
+template <int Dim>
+void UpdateNormals<Dim>::run(int, const Clock&) {
+    parallelFor(body_->size(), [&](std::size_t i) {
+        const Vec<Dim> n = gradient_[i].inverse().transpose() * initial_normal_[i];
+        const double length = n.norm();
+        if (length > 0) normal_[i] = n / length;
+    });
+}
+
+void declareUpdateNormals(input::Registry& registry) {
+    using P = UpdateNormalsParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "solid.update_normals");
+    d.summary("Normals of an elastic body turn with its deformation");
+    d.formula("n = F^-T N / abs(F^-T N)");
+    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
+    d.action("", "")
+        .reads("body", {"initial_normal", "deformation_gradient", "normal"})
+        .writes("body", {"normal"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<UpdateNormals<Dim>>(bodyOf(context, p.body));
+    }));
+}
+
+template class UpdateNormals<2>;
+template class UpdateNormals<3>;
+
+}  // namespace sphinx::solid
