@@ -214,8 +214,12 @@ TypePointer makeStructure(const Declaration& declaration) {
     return std::make_shared<StructureType>(declaration);
 }
 
+}  // namespace sphinx::input::detail
+
+namespace sphinx::input {
+
 Type<std::vector<int>> axes() {
     return list(choice<int>({{"x", 0, ""}, {"y", 1, ""}, {"z", 2, ""}}));
 }
 
-}  // namespace sphinx::input::detail
+}  // namespace sphinx::input
