@@ -36,6 +36,8 @@ struct Body {
     /// Neighbors that are one piece of material with this body (topology: bonded).
     std::vector<Body*> bonded;
     std::vector<BodyPart> parts;
+    /// Stiffness of its hourglass control, pressure; see solid/deformation.h.
+    double hourglass_modulus = 0;
     /// Counts every change of positions or order of the particles: a list that was built at
     /// another count is stale.
     std::uint64_t version = 0;

@@ -82,16 +82,28 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
     buildList(cells(*r.from), cells(*r.to), same, commonKernel(*r.from, *r.to), world_->domain,
               r.list);
     const Field<double>& volume = r.to->particles.scalar(fields::volume);
+    const auto& from = r.from->particles.vector(fields::initial_position);
+    const auto& to = r.to->particles.vector(fields::initial_position);
     r.gradient_sum.assign(r.from->size(), Vec<Dim>::Zero());
+    r.weight.assign(r.list.blocks.size() * lane_count, 0);
+    r.weight_sum.assign(r.from->size(), 0);
     for (std::size_t i = 0; i < r.from->size(); ++i) {
         const auto& range = r.list.ranges[i];
         for (std::uint64_t b = range.first; b < range.first + range.blocks; ++b) {
             auto& block = r.list.blocks[b];
-            for (int k = 0; k < lane_count; ++k)
+            for (int k = 0; k < lane_count; ++k) {
+                Vec<Dim> g;
                 for (int c = 0; c < Dim; ++c) {
                     block.gradient[c][k] *= volume[block.index[k]];
-                    r.gradient_sum[i][c] += block.gradient[c][k];
+                    g[c] = block.gradient[c][k];
                 }
+                if (g.isZero(0)) continue;
+                const Vec<Dim> R = world_->domain.difference(from[i], to[block.index[k]]);
+                const double weight = g.norm() / R.norm();
+                r.gradient_sum[i] += g;
+                r.weight[b * lane_count + static_cast<std::size_t>(k)] = weight;
+                r.weight_sum[i] += weight;
+            }
         }
     }
     r.built = true;

@@ -31,6 +31,8 @@ struct ReferenceRelation {
     bool built = false;
     NeighborList<Dim, double> list;  ///< the gradients are multiplied by V_j: e_ij W'_ij V_j
     AlignedVector<Vec<Dim>> gradient_sum;  ///< sum_j e_ij W'_ij V_j, 1/length
+    AlignedVector<double> weight;          ///< abs(W'_ij)/R_ij V_j of every place, 1/length^2
+    AlignedVector<double> weight_sum;      ///< sum_j of them
 };
 
 /// All relations of a simulation and the cell grids they share, one grid per body.

@@ -35,6 +35,12 @@ class FirstFailure {
 }  // namespace
 
 template <int Dim>
+Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control)
+    : Deformation(context, body) {
+    body.hourglass_modulus = hourglass_control ? solid_->shearModulus() / Dim : 0;
+}
+
+template <int Dim>
 Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body)
     : relations_(&context.relations),
       body_(&body),
@@ -104,6 +110,7 @@ template <class Law>
 void Deformation<Dim>::stress(const Law& law, const Clock& clock) {
     const double half = 0.5 * clock.dt;
     const double eta = solid_->damping();
+    const double control = body_->hourglass_modulus;
     const double rho0 = solid_->density();
     const ParticleFibres<Dim> fibres(*body_, Law::uses_fibres);
     FirstFailure inverted;
@@ -130,7 +137,8 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock) {
                 const Mat<Dim> FtR = F.transpose() * rate;
                 S += (0.5 * eta) * (FtR + FtR.transpose());
             }
-            stress_[i] = F * S * correction_[i].transpose();
+            // The control's - c k_ij (F_i + F_j) R_ij has the form of a stress, k_ij R_ij = -g_ij.
+            stress_[i] = F * S * correction_[i].transpose() - control * F;
             density_[i] = rho0 / J;
         }
     });
@@ -169,6 +177,14 @@ Vec<Dim> Deformation<Dim>::stressDivergence(std::size_t i) const {
         Lanes sum[Dim] = {};
         addProduct<Dim>(n.relation->list, i, n.stress->data(), sum);
         result += stress_[i] * n.relation->gradient_sum[i];
+        const double control = body_->hourglass_modulus + n.relation->to->hourglass_modulus;
+        if (control > 0) {
+            Lanes positions[Dim] = {};
+            addWeighted<Dim>(n.relation->list, n.relation->weight.data(), i, n.position->data(),
+                             positions);
+            for (int c = 0; c < Dim; ++c) sum[c] += control * positions[c];
+            result -= (control * n.relation->weight_sum[i]) * position_[i];
+        }
         for (int c = 0; c < Dim; ++c) result[c] += sumLanes(sum[c]);
     }
     return result;

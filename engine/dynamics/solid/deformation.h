@@ -15,6 +15,14 @@ namespace sphinx::solid {
 template <int Dim>
 class Deformation {
    public:
+    /// With hourglass control also the energy 1/2 c sum_j k_ij abs(r_ij - F_i R_ij)^2 per volume of
+    /// what F_i does not see of its neighbors' motion, k_ij = abs(W'_ij)/R_ij V_j, c = mu/Dim. F_i is
+    /// the very F that minimises it, so its force is that of springs between pairs,
+    /// -c k_ij (2 r_ij - (F_i + F_j) R_ij), and comes from an energy that no rotation changes.
+    /// c is what the bonds' own deformation gradients F_i + (r_ij - F_i R_ij) (x) R_ij/R_ij^2 would
+    /// give to second order, the shear part of the acoustic tensor alone: no parameter.
+    Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
+    /// For initialize() alone.
     Deformation(Context<Dim>& context, Body<Dim>& body);
 
     Body<Dim>& body() const { return *body_; }
@@ -31,7 +39,7 @@ class Deformation {
     /// dF/dt = (-sum_j v_ij (x) g_ij) B_i, then F += dt/2 dF/dt.
     void secondHalf(double dt);
     /// sum_j (T_i + T_j) g_ij = div P at particle i, force/volume; guide (31) in the form that is
-    /// conjugate to (29).
+    /// conjugate to (29). With hourglass control, its force as well.
     Vec<Dim> stressDivergence(std::size_t i) const;
 
    private:

@@ -33,6 +33,20 @@ inline void addOuter(const NeighborList<Dim, double>& list, std::size_t i, const
     }
 }
 
+/// Adds sum_j k_j a_j over the neighbors of i to `sum`, k the weights of their places.
+template <int Dim>
+inline void addWeighted(const NeighborList<Dim, double>& list, const double* weights,
+                        std::size_t i, const Vec<Dim>* values, Lanes sum[Dim]) {
+    const double* weight = weights + list.ranges[i].first * lane_count;
+    for (const auto& block : list.of(i)) {
+        Lanes a[Dim];
+        gather<Dim>(values, block.index, a);
+        const Lanes k = loadLanes(weight);
+        for (int c = 0; c < Dim; ++c) sum[c] += k * a[c];
+        weight += lane_count;
+    }
+}
+
 /// Adds sum_j T_j g_j over the neighbors of i to `sum`.
 template <int Dim>
 inline void addProduct(const NeighborList<Dim, double>& list, std::size_t i, const Mat<Dim>* values,

@@ -7,9 +7,10 @@
 namespace sphinx::solid {
 
 template <int Dim>
-StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, Body<Dim>& body)
+StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, Body<Dim>& body,
+                                        bool hourglass_control)
     : body_(&body),
-      deformation_(context, body),
+      deformation_(context, body, hourglass_control),
       position_(body.particles.position()),
       velocity_(body.particles.vector(fields::velocity)),
       acceleration_(body.particles.vector(fields::acceleration)),
@@ -29,14 +30,14 @@ void StressRelaxation<Dim>::run(int action, const Clock& clock) {
 
 template <int Dim>
 void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
-    deformation_.firstHalf(clock);
     const double dt = clock.dt;
+    parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
+    deformation_.firstHalf(clock);
     parallelFor(body_->size(), [&](std::size_t i) {
         const Vec<Dim> force = volume_[i] * deformation_.stressDivergence(i) +
                                pressure_force_[i] + viscous_force_[i];
         const Vec<Dim> a = force / mass_[i] + external_[i];
         acceleration_[i] = a;
-        position_[i] += 0.5 * dt * velocity_[i];
         velocity_[i] += dt * a;
     });
 }
@@ -58,6 +59,9 @@ void declareStressRelaxation(input::Registry& registry) {
     d.citation("Vignjevic, Reveles & Campbell 2006, doi:10.3970/cmes.2006.014.181; Bonet & Lok "
                "1999, doi:10.1016/S0045-7825(99)00051-1 (conjugate form)");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is stepped");
+    d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
+               "whether neighbors are also held by what the deformation gradient does not see of "
+               "their motion; in all bonded bodies alike");
     d.action("first_half", "deformation, stress and position to the half step; velocity by a whole "
                            "step")
         .reads("body", {"initial_position", "position", "velocity", "mass", "volume",
@@ -69,7 +73,8 @@ void declareStressRelaxation(input::Registry& registry) {
         .reads("body", {"position", "velocity", "correction_matrix", "deformation_gradient"})
         .writes("body", {"deformation_rate", "deformation_gradient", "position"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<StressRelaxation<Dim>>(context, bodyOf(context, p.body));
+        return std::make_unique<StressRelaxation<Dim>>(context, bodyOf(context, p.body),
+                                                       p.hourglass_control);
     }));
 }
 

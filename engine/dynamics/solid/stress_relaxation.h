@@ -9,6 +9,7 @@ namespace sphinx::solid {
 
 struct StressRelaxationParameters {
     input::Name body;
+    bool hourglass_control = true;
 };
 
 /// Elastic step of a total-Lagrangian solid, guide (5), as drift-kick-drift:
@@ -20,7 +21,7 @@ struct StressRelaxationParameters {
 template <int Dim>
 class StressRelaxation final : public Method {
    public:
-    StressRelaxation(Context<Dim>& context, Body<Dim>& body);
+    StressRelaxation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 

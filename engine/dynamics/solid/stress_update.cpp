@@ -11,6 +11,8 @@ void declareStressUpdate(input::Registry& registry) {
     d.formula("guide (29), (6): F += dt/2 dF/dt and P(F) in the first half; dF/dt and F += dt/2 "
               "dF/dt in the second");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is held");
+    d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
+               "as in solid.stress_relaxation of the bodies bonded to it");
     d.action("first_half", "deformation and stress to the half step")
         .reads("body", {"initial_position", "velocity", "volume", "correction_matrix",
                         "deformation_gradient", "deformation_rate"})
@@ -20,7 +22,8 @@ void declareStressUpdate(input::Registry& registry) {
         .reads("neighbors.elastic", {"velocity"})
         .writes("body", {"deformation_rate", "deformation_gradient"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<StressUpdate<Dim>>(context, bodyOf(context, p.body));
+        return std::make_unique<StressUpdate<Dim>>(context, bodyOf(context, p.body),
+                                                   p.hourglass_control);
     }));
 }
 

@@ -9,6 +9,7 @@ namespace sphinx::solid {
 
 struct StressUpdateParameters {
     input::Name body;
+    bool hourglass_control = true;
 };
 
 /// Deformation and stress of an elastic body whose particles are held, in two halves around the
@@ -16,7 +17,8 @@ struct StressUpdateParameters {
 template <int Dim>
 class StressUpdate final : public Method {
    public:
-    StressUpdate(Context<Dim>& context, Body<Dim>& body) : deformation_(context, body) {}
+    StressUpdate(Context<Dim>& context, Body<Dim>& body, bool hourglass_control)
+        : deformation_(context, body, hourglass_control) {}
     void run(int action, const Clock& clock) override {
         if (action == 0)
             deformation_.firstHalf(clock);
