@@ -3,6 +3,7 @@
 #include "case/build_outputs.h"
 
 #include "case/build_loop.h"
+#include "case/derived_output.h"
 #include "io/output_factory.h"
 #include "io/register.h"
 #include "io/restart_output.h"
@@ -62,11 +63,13 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
         const std::string& type = source.declaration->name();
         const bool restart = type == "restart";
         if (!files && type != "progress") continue;
+        DerivedFields<Dim> derived(source, tools.world);
         if (restart)
             outputs_.push_back(makeRestart(tools, source));
         else
-            outputs_.push_back(
-                source.declaration->builder<io::OutputFactory>().make(source, context));
+            outputs_.push_back(withDerivedFields(
+                source.declaration->builder<io::OutputFactory>().make(source, context),
+                std::move(derived)));
         owners.add(source, *outputs_.back());
         entries_.push_back(
             {source.name, type, outputs_.back().get(), triggerOf(source.every), restart});

@@ -4,6 +4,7 @@
 
 #include "io/reduce_force.h"
 #include "io/reduce_motion.h"
+#include "io/reduce_reaction.h"
 #include "io/rows_output.h"
 
 namespace sphinx::io {
@@ -18,6 +19,7 @@ enum class Reduced {
     maximum_speed,
     front_position,
     force,
+    support_reaction,
 };
 
 enum class Axis { x, y, z };
@@ -34,7 +36,8 @@ std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
                                          const input::Component& component,
                                          const OutputContext<Dim>& context) {
     const Body<Dim>& body = *context.world.find(p.body.text);
-    const ReducedBody<Dim> reduced{&body, p.body.place, context.units};
+    const ReducedBody<Dim> reduced{&body, p.body.place, context.units,
+                                   &context.relations};
     switch (p.quantity) {
         case Reduced::mechanical_energy: return mechanicalEnergy(reduced);
         case Reduced::kinetic_energy: return kineticEnergy(reduced);
@@ -47,6 +50,7 @@ std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
             if (axis >= Dim) failAt(component.placeOf("axis"), "a case in 2D has no axis z");
             return frontPosition(reduced, axis);
         }
+        case Reduced::support_reaction: return makeReactionSource(body, p.body.place, context);
         case Reduced::force: break;
     }
     if (body.kind != BodyKind::solid)
@@ -66,7 +70,7 @@ void declareReduce(input::Registry& registry) {
         "quantity", &P::quantity,
         input::choice<Reduced>({
             {"mechanical_energy", Reduced::mechanical_energy,
-             "of a fluid: kinetic, potential (-sum m g . x), internal, total"},
+             "kinetic, potential (-sum m g . x), internal (of a fluid or elastic body), total"},
             {"kinetic_energy", Reduced::kinetic_energy, "sum of m v^2/2"},
             {"mass", Reduced::mass, "mass, number of particles, number removed"},
             {"momentum", Reduced::momentum, "sum of m v"},
@@ -75,6 +79,8 @@ void declareReduce(input::Registry& registry) {
             {"front_position", Reduced::front_position, "largest coordinate along 'axis'"},
             {"force", Reduced::force,
              "of the fluids on a solid: by pressure, by viscosity, and both"},
+            {"support_reaction", Reduced::support_reaction,
+             "of the constraints on an elastic body, over its last step"},
         }),
         "what is written");
     d.optional("axis", &P::axis,

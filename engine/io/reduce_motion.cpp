@@ -3,9 +3,11 @@
 #include "io/reduce_motion.h"
 
 #include "core/parallel.h"
+#include "dynamics/solid/internal_energy.h"
 #include "io/reduce.h"
 #include "io/series_columns.h"
 #include "io/unit_text.h"
+#include "materials/elastic_solid.h"
 #include "materials/fluid.h"
 
 #include <array>
@@ -63,28 +65,33 @@ std::unique_ptr<SeriesSource> sums(std::vector<SeriesQuantity> quantities, const
 
 template <int Dim>
 std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) {
-    const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(reduced.body->material.get());
-    if (!fluid)
+    const auto* material = reduced.body->material.get();
+    const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(material);
+    if (!fluid && !dynamic_cast<const ElasticSolid*>(material))
         failAt(reduced.place, "'" + reduced.body->name +
-                                  "' is no fluid: its internal energy is not known; ask for "
-                                  "kinetic_energy");
+                                  "' is rigid: it has no internal energy; ask for kinetic_energy");
     const std::string energy = unitText(unit::energy, reduced.units);
     const Motion<Dim> motion(reduced);
     const auto* density = &require<double>(reduced, fields::density);
+    Relations<Dim>* relations = reduced.relations;
     return std::make_unique<ReduceSource>(
         std::vector<SeriesQuantity>{
             {"kinetic", energy, "sum of m v^2/2", {}},
             {"potential", energy, "-sum of m g . x", {}},
-            {"internal", energy, "sum of m e(rho), zero at the density of zero pressure", {}},
+            {"internal", energy,
+             "of a fluid sum of m e(rho), zero at the density of zero pressure; of an elastic body "
+             "sum of V W(F), with its hourglass control",
+             {}},
             {"total", energy, "kinetic + potential + internal", {}}},
-        [motion, fluid, density](std::span<double> row) {
+        [motion, fluid, density, relations](std::span<double> row) {
             const Vec<Dim> g = motion.body->gravity;
             const auto sum = parallelSum(motion.body->size(), [&](std::size_t i) {
                 const double m = (*motion.m)[i];
                 return Sums<3>{{motion.kinetic(i), -m * g.dot((*motion.x)[i]),
-                                m * fluid->internalEnergy((*density)[i])}};
+                                fluid ? m * fluid->internalEnergy((*density)[i]) : 0}};
             });
             for (int k = 0; k < 3; ++k) row[k] = sum.values[k];
+            if (!fluid) row[2] = solid::internalEnergy(*motion.body, *relations);
             row[3] = row[0] + row[1] + row[2];
         });
 }

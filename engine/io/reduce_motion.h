@@ -5,6 +5,7 @@
 #include "bodies/body.h"
 #include "io/output_factory.h"
 #include "io/series.h"
+#include "neighbors/relations.h"
 
 namespace sphinx::io {
 
@@ -15,10 +16,12 @@ struct ReducedBody {
     const Body<Dim>* body;
     input::Place place;  ///< where the case names it
     input::UnitSystem units;
+    Relations<Dim>* relations = nullptr;  ///< needed for the energy of elastic bodies
 };
 
 /// kinetic = sum m v^2/2; potential = -sum m g . x, g being the body's uniform gravities; internal
-/// = sum m e(rho) of a weakly compressible fluid; total, their sum.
+/// = sum m e(rho) of a weakly compressible fluid, solid::internalEnergy() of an elastic body; total,
+/// their sum.
 template <int Dim>
 std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced);
 template <int Dim>

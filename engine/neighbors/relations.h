@@ -54,6 +54,7 @@ class Relations {
     /// Builds its list if that has not been done. Both bodies have a field initial_position.
     void build(ReferenceRelation<Dim>& relation);
 
+    const Domain<Dim>& domain() const { return world_->domain; }
     std::size_t bytes() const;
 
    private:

@@ -31,6 +31,12 @@ const std::vector<const FieldInfo*>& all() {
         &viscous_force,
         &average_velocity,
         &average_acceleration,
+        &displacement,
+        &green_lagrange_strain,
+        &piola_kirchhoff_stress,
+        &cauchy_stress,
+        &von_mises_stress,
+        &strain_energy_density,
     };
     return list;
 }

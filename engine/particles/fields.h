@@ -62,6 +62,22 @@ inline constexpr FieldInfo average_acceleration{
 inline constexpr FieldInfo depth{"depth", Rank::scalar, unit::length,
                                  "distance of a solid particle from the body's surface"};
 
+// Computed from the state of elastic bodies, for outputs only: solid/derived_fields.h.
+inline constexpr FieldInfo displacement{"displacement", Rank::vector, unit::length,
+                                        "displacement of an elastic body since the start"};
+inline constexpr FieldInfo green_lagrange_strain{"green_lagrange_strain", Rank::matrix, unit::none,
+                                                 "Green-Lagrange strain of an elastic body"};
+inline constexpr FieldInfo piola_kirchhoff_stress{"piola_kirchhoff_stress", Rank::matrix,
+                                                  unit::pressure,
+                                                  "first Piola-Kirchhoff stress of the elastic law"};
+inline constexpr FieldInfo cauchy_stress{"cauchy_stress", Rank::matrix, unit::pressure,
+                                         "Cauchy stress of the elastic law"};
+inline constexpr FieldInfo von_mises_stress{"von_mises_stress", Rank::scalar, unit::pressure,
+                                            "von Mises stress of the elastic law"};
+inline constexpr FieldInfo strain_energy_density{"strain_energy_density", Rank::scalar,
+                                                 unit::pressure,
+                                                 "strain energy per reference volume"};
+
 /// The field of that name, or nullptr.
 const FieldInfo* find(std::string_view name);
 /// All of them, in the order of declaration.

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/solid/derived_fields.h"
+
+#include "core/parallel.h"
+#include "dynamics/solid/fibres.h"
+#include "materials/elastic.h"
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+
+namespace sphinx::solid {
+namespace {
+
+constexpr std::array derived{&fields::displacement,           &fields::green_lagrange_strain,
+                             &fields::piola_kirchhoff_stress, &fields::cauchy_stress,
+                             &fields::von_mises_stress,       &fields::strain_energy_density};
+
+template <int Dim>
+Mat<Dim> rightCauchyGreen(const Mat<Dim>& F) {
+    const Mat<Dim> C = F.transpose() * F;
+    return 0.5 * (C + C.transpose());
+}
+
+/// In space: a body in 2D does not change across the plane.
+template <int Dim>
+Mat<3> inSpace(const Mat<Dim>& F) {
+    Mat<3> whole = Mat<3>::Identity();
+    whole.template topLeftCorner<Dim, Dim>() = F;
+    return whole;
+}
+template <int Dim>
+Fibres<3> inSpace(const Fibres<Dim>& fibres) {
+    Fibres<3> whole;
+    whole.fibre.template head<Dim>() = fibres.fibre;
+    whole.sheet.template head<Dim>() = fibres.sheet;
+    return whole;
+}
+
+double vonMises(const Mat<3>& stress) {
+    const Mat<3> deviator = stress - stress.trace() / 3 * Mat<3>::Identity();
+    return std::sqrt(1.5 * deviator.squaredNorm());
+}
+
+}  // namespace
+
+bool isDerived(std::string_view field) {
+    for (const FieldInfo* info : derived)
+        if (info->name == field) return true;
+    return false;
+}
+
+template <int Dim>
+void derive(Body<Dim>& body, const FieldInfo& field) {
+    ParticleSet<Dim>& p = body.particles;
+    const std::size_t n = body.size();
+    if (&field == &fields::displacement) {
+        auto& u = p.vector(field);
+        const auto& start = p.vector(fields::initial_position);
+        parallelFor(n, [&](std::size_t i) { u[i] = p.position()[i] - start[i]; });
+        return;
+    }
+    const auto& gradient = p.matrix(fields::deformation_gradient);
+    if (&field == &fields::green_lagrange_strain) {
+        auto& E = p.matrix(field);
+        parallelFor(n, [&](std::size_t i) {
+            E[i] = 0.5 * (rightCauchyGreen<Dim>(gradient[i]) - Mat<Dim>::Identity());
+        });
+        return;
+    }
+    withLaw(dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
+        const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
+        const auto stress = [&](std::size_t i) -> Mat<Dim> {
+            return law.template stress<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
+        };
+        if (&field == &fields::piola_kirchhoff_stress) {
+            auto& P = p.matrix(field);
+            parallelFor(n, [&](std::size_t i) { P[i] = gradient[i] * stress(i); });
+        } else if (&field == &fields::cauchy_stress) {
+            auto& sigma = p.matrix(field);
+            parallelFor(n, [&](std::size_t i) {
+                const Mat<Dim>& F = gradient[i];
+                sigma[i] = F * stress(i) * F.transpose() / F.determinant();
+            });
+        } else if (&field == &fields::von_mises_stress) {
+            auto& out = p.scalar(field);
+            parallelFor(n, [&](std::size_t i) {
+                const Mat<3> F = inSpace<Dim>(gradient[i]);
+                const Mat<3> S = law.template stress<3>(rightCauchyGreen<3>(F),
+                                                        inSpace<Dim>(fibres[i]));
+                out[i] = vonMises(F * S * F.transpose() / F.determinant());
+            });
+        } else {
+            auto& energy = p.scalar(field);
+            parallelFor(n, [&](std::size_t i) {
+                energy[i] = law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
+            });
+        }
+    });
+}
+
+template void derive(Body<2>&, const FieldInfo&);
+template void derive(Body<3>&, const FieldInfo&);
+
+}  // namespace sphinx::solid

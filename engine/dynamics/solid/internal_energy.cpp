@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/solid/internal_energy.h"
+
+#include "core/parallel.h"
+#include "dynamics/solid/fibres.h"
+#include "materials/elastic.h"
+
+namespace sphinx::solid {
+namespace {
+
+/// sum_j k_ij abs(r_ij - F_i R_ij)^2 over one relation.
+template <int Dim>
+double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& domain,
+                    std::size_t i, const Mat<Dim>& F) {
+    ParticleSet<Dim>& from = relation.from->particles;
+    ParticleSet<Dim>& to = relation.to->particles;
+    const auto& from_start = from.vector(fields::initial_position);
+    const auto& to_start = to.vector(fields::initial_position);
+    double sum = 0;
+    std::size_t place = relation.list.ranges[i].first * lane_count;
+    for (const auto& block : relation.list.of(i))
+        for (int k = 0; k < lane_count; ++k, ++place) {
+            if (relation.weight[place] == 0) continue;
+            const Index j = block.index[k];
+            const Vec<Dim> R = domain.difference(from_start[i], to_start[j]);
+            const Vec<Dim> r = domain.difference(from.position()[i], to.position()[j]);
+            sum += relation.weight[place] * (r - F * R).squaredNorm();
+        }
+    return sum;
+}
+
+}  // namespace
+
+template <int Dim>
+double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
+    auto& body = const_cast<Body<Dim>&>(constant);  // fields are asked for, not changed
+    const auto& gradient = body.particles.matrix(fields::deformation_gradient);
+    const auto& volume = body.particles.scalar(fields::volume);
+    const double elastic = withLaw(
+        dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
+            const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
+            return parallelSum(body.size(), [&](std::size_t i) {
+                const Mat<Dim> C = gradient[i].transpose() * gradient[i];
+                return volume[i] *
+                       law.template energy<Dim>(0.5 * (C + C.transpose()), fibres[i]);
+            });
+        });
+    if (body.hourglass_modulus == 0) return elastic;
+    std::vector<const ReferenceRelation<Dim>*> sides;
+    std::vector<Body<Dim>*> others{&body};
+    others.insert(others.end(), body.bonded.begin(), body.bonded.end());
+    for (Body<Dim>* other : others) {
+        ReferenceRelation<Dim>& relation = relations.reference(body, *other);
+        relations.build(relation);
+        sides.push_back(&relation);
+    }
+    const Domain<Dim>& domain = relations.domain();
+    const double control = parallelSum(body.size(), [&](std::size_t i) {
+        double sum = 0;
+        for (const auto* side : sides) sum += unseenMotion(*side, domain, i, gradient[i]);
+        return 0.5 * body.hourglass_modulus * volume[i] * sum;
+    });
+    return elastic + control;
+}
+
+template double internalEnergy(const Body<2>&, Relations<2>&);
+template double internalEnergy(const Body<3>&, Relations<3>&);
+
+}  // namespace sphinx::solid
