@@ -201,11 +201,11 @@ void PressureRelaxation<Dim>::continuity(double dt) {
                 sum += term * sj.V;
             });
             const Vec<Dim> v = velocity_[i];
-            for (const Wall& wall : walls_) {
-                // The ghost has the fluid's own pressure above the hydrostatic.
-                sum -= 2.0 * wallClosure<Dim>(wall.fields, wall.relation->list, i, v);
-            }
-            const double rate = density_[i] * sumLanes(sum);
+            double divergence = sumLanes(sum);
+            // The ghost has the fluid's own pressure above the hydrostatic.
+            for (const Wall& wall : walls_)
+                divergence -= 2 * wallClosure<Dim>(wall.fields, wall.relation->list, i, v);
+            const double rate = density_[i] * divergence;
             density_rate_[i] = rate;
             density_[i] += half * rate;
             position_[i] += half * v;
