@@ -95,6 +95,9 @@ void OutputSchedule::transfer(Archive& archive) {
     std::string names;
     for (const EntryRun& run : entries_) names += run.entry.name + "\n";
     archive.value("names", names);
+    // What is not saved, or not under the same trigger, goes on from the present time.
+    if (archive.loading())
+        for (EntryRun& run : entries_) startTrigger(run);
     std::istringstream saved(names);
     for (std::string name; std::getline(saved, name);)
         for (EntryRun& run : entries_)
@@ -115,10 +118,7 @@ void OutputSchedule::transferEntry(Archive& archive, EntryRun& run) {
     Multiples next = run.next;
     next.transfer(archive);
     const bool wall = run.entry.every && run.entry.every->kind == Trigger::Kind::wall_time;
-    if (archive.loading()) {
-        if (trigger == present && !wall) run.next = next;
-        if (trigger != present) startTrigger(run);
-    }
+    if (archive.loading() && trigger == present && !wall) run.next = next;
     const Section state(archive, "state");
     run.entry.output->transfer(archive);
 }
