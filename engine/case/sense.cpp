@@ -25,7 +25,7 @@ class SenseCheck {
                 checkMaterialBody(body);
             checkParts(body);
         }
-        for (const int axis : block_.domain.periodic) checkPeriodic(axis);
+        checkPeriodic();
         checkTopology();
         checkLayer(block_.loop);
         checkSteps(block_.loop.start, "start");
@@ -100,12 +100,10 @@ class SenseCheck {
                                                     "' is the whole body; name the body instead");
     }
 
-    void checkPeriodic(int axis) {
-        const Place& place = block_.domain.place;
-        if (axis >= block_.dimension)
-            diagnostics_.error(place, "periodic names z, but the case is 2D");
-        else if (!block_.domain.lower || !block_.domain.upper)
-            diagnostics_.error(place,
+    void checkPeriodic() {
+        const auto& domain = block_.domain;
+        if (!domain.periodic.empty() && !(domain.lower && domain.upper))
+            diagnostics_.error(domain.place,
                                "a periodic domain needs 'lower' and 'upper': they are the period");
     }
 

@@ -218,8 +218,33 @@ TypePointer makeStructure(const Declaration& declaration) {
 
 namespace sphinx::input {
 
-Type<std::vector<int>> axes() {
-    return list(choice<int>({{"x", 0, ""}, {"y", 1, ""}, {"z", 2, ""}}));
-}
+namespace {
+
+/// A list of axes that the case has.
+class AxesType final : public TypeBase {
+ public:
+    bool read(const Node& node, Reader& reader, void* out) const override {
+        if (!list_->read(node, reader, out)) return false;
+        const auto& axes = *static_cast<const std::vector<int>*>(out);
+        for (std::size_t k = 0; k < axes.size(); ++k)
+            if (reader.dimension > 0 && axes[k] >= reader.dimension)
+                return reader.error(node.items[k], reader.label + " names z, but the case is 2D");
+        return true;
+    }
+    Node write(const void* value, const Node* source) const override {
+        return list_->write(value, source);
+    }
+    Node schema(SchemaBuilder& builder) const override { return list_->schema(builder); }
+    std::string text() const override { return list_->text(); }
+    bool absent(const void* value) const override { return list_->absent(value); }
+
+ private:
+    std::shared_ptr<const TypeBase> list_ =
+        list(choice<int>({{"x", 0, ""}, {"y", 1, ""}, {"z", 2, ""}})).base();
+};
+
+}  // namespace
+
+Type<std::vector<int>> axes() { return Type<std::vector<int>>(std::make_shared<AxesType>()); }
 
 }  // namespace sphinx::input
