@@ -6,7 +6,8 @@
 
 namespace sphinx::model {
 
-/// Whether the body keeps its initial positions: elastic bodies and bodies with parts do.
+/// Whether the body keeps its initial positions: elastic bodies, bodies with parts, and those of
+/// which a method reads them.
 bool keepsInitialPosition(const Case& model, const Body& body);
 
 /// Fills the parts of all bodies with the particles that lie in their shapes at the start (also

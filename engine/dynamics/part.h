@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/context.h"
+#include "bodies/world.h"
+#include "core/parallel.h"
 #include "input/values.h"
 
 namespace sphinx {
@@ -12,9 +13,9 @@ template <int Dim>
 class Part {
    public:
     /// `name`: a checked reference.
-    Part(Context<Dim>& context, const input::Name& name) {
+    Part(const World<Dim>& world, const input::Name& name) {
         const std::size_t dot = name.text.find('.');
-        body_ = context.world.find(name.text.substr(0, dot));
+        body_ = world.find(name.text.substr(0, dot));
         if (dot == std::string::npos) return;
         for (const BodyPart& part : body_->parts)
             if (part.name == name.text.substr(dot + 1)) particles_ = &part.particles;
@@ -24,6 +25,11 @@ class Part {
     std::size_t size() const { return particles_ ? particles_->size() : body_->size(); }
     /// Index in the body of the n-th particle.
     std::size_t operator[](std::size_t n) const { return particles_ ? (*particles_)[n] : n; }
+    /// Of all its particles.
+    double mass() const {
+        const auto& mass = body_->particles.scalar(fields::mass);
+        return parallelSum(size(), [&](std::size_t n) { return mass[(*this)[n]]; });
+    }
 
    private:
     Body<Dim>* body_;

@@ -3,6 +3,7 @@
 #include "dynamics/register.h"
 
 #include "dynamics/constraint/fix.h"
+#include "dynamics/constraint/prescribed_motion.h"
 #include "dynamics/fluid/acoustic_time_step.h"
 #include "dynamics/fluid/advection_time_step.h"
 #include "dynamics/fluid/density_summation.h"
@@ -10,6 +11,9 @@
 #include "dynamics/fluid/viscous_force.h"
 #include "dynamics/force/body_force.h"
 #include "dynamics/force/gravity.h"
+#include "dynamics/force/point_force.h"
+#include "dynamics/force/spring.h"
+#include "dynamics/force/surface_pressure.h"
 #include "dynamics/geometry/normals_from_shape.h"
 #include "dynamics/neighbors/update.h"
 #include "dynamics/particles/sort.h"
@@ -26,6 +30,7 @@ namespace sphinx {
 
 void registerDynamics(input::Registry& registry) {
     constraint::declareFix(registry);
+    constraint::declarePrescribedMotion(registry);
     fluid::declareAcousticTimeStep(registry);
     fluid::declareAdvectionTimeStep(registry);
     fluid::declareDensitySummation(registry);
@@ -33,6 +38,9 @@ void registerDynamics(input::Registry& registry) {
     fluid::declareViscousForce(registry);
     force::declareBodyForce(registry);
     force::declareGravity(registry);
+    force::declarePointForce(registry);
+    force::declareSpring(registry);
+    force::declareSurfacePressure(registry);
     fsi::declareAverageKinematics(registry);
     fsi::declarePressureForce(registry);
     fsi::declareViscousForce(registry);

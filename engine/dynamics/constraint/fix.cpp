@@ -51,7 +51,7 @@ void declareFix(input::Registry& registry) {
         .reads("part", {"velocity", "mass"})
         .writes("part", {"velocity"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<Fix<Dim>>(Part<Dim>(context, p.part), p.directions);
+        return std::make_unique<Fix<Dim>>(Part<Dim>(context.world, p.part), p.directions);
     }));
 }
 

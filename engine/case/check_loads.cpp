@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/check_loads.h"
+
+#include "case/check_particles.h"
+#include "dynamics/constraint/prescribed_motion.h"
+#include "dynamics/force/surface_pressure.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace sphinx::model {
+namespace {
+
+template <int Dim>
+Vec<Dim> valueAt(const std::vector<FieldExpression>& expressions, const Vec<Dim>& place,
+                 double time) {
+    Vec<Dim> value;
+    for (int c = 0; c < Dim; ++c)
+        value[c] = expressions[static_cast<std::size_t>(c)].template operator()<Dim>(place, time);
+    return value;
+}
+
+template <int Dim>
+void checkMotion(const Component& method, const World<Dim>& world, double start_time,
+                 input::Diagnostics& diagnostics) {
+    const auto& p = method.as<constraint::PrescribedMotionParameters>();
+    const sphinx::Part<Dim> part(world, p.part);
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        const Vec<Dim>& x = part.body().particles.position()[part[n]];
+        Vec<Dim> u = valueAt<Dim>(p.displacement, x, start_time);
+        for (int c = 0; c < Dim && !p.directions.empty(); ++c)
+            if (std::find(p.directions.begin(), p.directions.end(), c) == p.directions.end())
+                u[c] = 0;
+        if (u.norm() <= 1e-9 * part.body().spacing) continue;
+        diagnostics.error(
+            method.placeOf("displacement"),
+            fmt::format("the displacement at {} is {} at the start, but must be zero there: the "
+                        "particles start where the shape has them",
+                        placeText<Dim>(x), placeText<Dim>(u)));
+        return;
+    }
+}
+
+template <int Dim>
+void checkSurface(const Component& method, const World<Dim>& world,
+                  input::Diagnostics& diagnostics) {
+    const auto& p = method.as<force::SurfacePressureParameters>();
+    const sphinx::Part<Dim> part(world, p.part);
+    if (p.normal.empty()) {
+        if (!part.body().shape)
+            diagnostics.error(method.place, fmt::format("{} has no shape that tells the normal of "
+                                                        "its surface: give 'normal'",
+                                                        part.body().name));
+        return;
+    }
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        const Vec<Dim>& x = part.body().particles.position()[part[n]];
+        const double length = valueAt<Dim>(p.normal, x, 0).norm();
+        if (length > 0 && std::isfinite(length)) continue;
+        diagnostics.error(method.placeOf("normal"),
+                          fmt::format("the normal has no direction at {}: its length is {:g}",
+                                      placeText<Dim>(x), length));
+        return;
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+void checkLoads(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+    for (const Component& method : model.dynamics) {
+        if (method.declaration->name() == "constraint.prescribed_motion")
+            checkMotion<Dim>(method, world, model.loop.start_time, diagnostics);
+        if (method.declaration->name() == "force.surface_pressure")
+            checkSurface<Dim>(method, world, diagnostics);
+    }
+}
+
+template void checkLoads(const Case&, const World<2>&, input::Diagnostics&);
+template void checkLoads(const Case&, const World<3>&, input::Diagnostics&);
+
+}  // namespace sphinx::model

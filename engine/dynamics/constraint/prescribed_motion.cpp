@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/constraint/prescribed_motion.h"
+
+#include "core/parallel.h"
+#include "materials/elastic_solid.h"
+
+#include <cmath>
+
+namespace sphinx::constraint {
+
+template <int Dim>
+PrescribedMotion<Dim>::PrescribedMotion(Part<Dim> part,
+                                        std::vector<input::FieldExpression> displacement,
+                                        const std::vector<int>& directions)
+    : part_(part),
+      position_(part.body().particles.position()),
+      velocity_(part.body().particles.vector(fields::velocity)),
+      displacement_(std::move(displacement)),
+      initial_position_(part.body().particles.vector(fields::initial_position)) {
+    moves_.fill(directions.empty());
+    for (const int axis : directions) moves_[static_cast<std::size_t>(axis)] = true;
+}
+
+template <int Dim>
+void PrescribedSolidMotion<Dim>::run(int, const Clock& clock) {
+    const double dt = clock.dt;
+    if (!(dt > 0)) return;  // in start there is no step
+    auto& position = this->position_;
+    auto& velocity = this->velocity_;
+    const auto& mass = this->part_.body().particles.scalar(fields::mass);
+    const Vec<Dim> momentum = parallelReduce(
+        this->part_.size(), Vec<Dim>(Vec<Dim>::Zero()),
+        [&](std::size_t begin, std::size_t end) {
+            Vec<Dim> sum = Vec<Dim>::Zero();
+            for (std::size_t n = begin; n < end; ++n) {
+                const std::size_t i = this->part_[n];
+                for (int c = 0; c < Dim; ++c) {
+                    if (!this->moves(c)) continue;
+                    const double before = this->displacement(i, c, clock.time);
+                    const double after = this->displacement(i, c, clock.time + dt);
+                    const double v = (after - before) / dt;
+                    sum[c] += mass[i] * (v - velocity[i][c]);
+                    velocity[i][c] = v;
+                    position[i][c] = this->start(i, c) + after - 0.5 * dt * v;
+                }
+            }
+            return sum;
+        },
+        [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
+    reaction_ = momentum / dt;
+}
+
+template <int Dim>
+void PrescribedSolidMotion<Dim>::transfer(Archive& archive) {
+    for (int c = 0; c < Dim; ++c)
+        archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
+}
+
+template <int Dim>
+PrescribedWallMotion<Dim>::PrescribedWallMotion(const Domain<Dim>& domain, Part<Dim> part,
+                                                std::vector<input::FieldExpression> displacement,
+                                                const std::vector<int>& directions)
+    : PrescribedMotion<Dim>(part, std::move(displacement), directions),
+      domain_(&domain),
+      acceleration_(part.body().particles.vector(fields::acceleration)) {}
+
+template <int Dim>
+double PrescribedWallMotion<Dim>::wrapped(double x, int axis) const {
+    if (!domain_->periodic[static_cast<std::size_t>(axis)]) return x;
+    const double lower = domain_->bounds.lower[axis];
+    const double period = domain_->bounds.upper[axis] - lower;
+    return x - period * std::floor((x - lower) / period);
+}
+
+template <int Dim>
+void PrescribedWallMotion<Dim>::run(int, const Clock& clock) {
+    const double dt = clock.dt;
+    if (!(dt > 0)) return;  // in start there is no step
+    const double half = 0.5 * dt;
+    auto& position = this->position_;
+    auto& velocity = this->velocity_;
+    parallelFor(this->part_.size(), [&](std::size_t n) {
+        const std::size_t i = this->part_[n];
+        for (int c = 0; c < Dim; ++c) {
+            if (!this->moves(c)) continue;
+            const double before = this->displacement(i, c, clock.time);
+            const double middle = this->displacement(i, c, clock.time + half);
+            const double after = this->displacement(i, c, clock.time + dt);
+            velocity[i][c] = (after - before) / dt;
+            acceleration_[i][c] = ((after - middle) - (middle - before)) / (half * half);
+            position[i][c] = wrapped(this->start(i, c) + after, c);
+        }
+    });
+    ++this->part_.body().version;
+}
+
+void declarePrescribedMotion(input::Registry& registry) {
+    using P = PrescribedMotionParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "constraint.prescribed_motion");
+    d.summary(
+        "Moves particles of a solid as expressions of place and time say: of an elastic body "
+        "between the halves of its step, of a rigid one (a wall that moves) at the start of "
+        "the fluid's step");
+    d.formula(
+        "r = R + u(R, t + dt), v = (u(R, t + dt) - u(R, t))/dt; the fluid also sees the "
+        "acceleration a = 4 (u(R, t + dt) - 2 u(R, t + dt/2) + u(R, t))/dt^2 of a rigid body");
+    d.required("part", &P::part, input::partReference({"elastic", "rigid"}),
+               "body, or part of a body; the normals of a rigid one stay as they are");
+    d.required("displacement", &P::displacement, input::fieldVector(unit::length),
+               "displacement u, one expression of t and of x, y, z, the initial position R, for "
+               "each direction; zero at the start");
+    d.optional("directions", &P::directions, input::axes(),
+               "axes along which the motion is prescribed; without: all");
+    d.action("",
+             "elastic: between the halves of the step; rigid: before the fluid's step, whose "
+             "neighbors are stale from then on")
+        .reads("part", {"initial_position", "position", "velocity", "acceleration", "mass"})
+        .writes("part", {"position", "velocity", "acceleration"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p,
+                                             Context<Dim>& context) -> std::unique_ptr<Method> {
+        const Part<Dim> part(context.world, p.part);
+        if (dynamic_cast<const ElasticSolid*>(part.body().material.get()))
+            return std::make_unique<PrescribedSolidMotion<Dim>>(part, p.displacement, p.directions);
+        return std::make_unique<PrescribedWallMotion<Dim>>(context.world.domain, part,
+                                                           p.displacement, p.directions);
+    }));
+}
+
+template class PrescribedMotion<2>;
+template class PrescribedMotion<3>;
+template class PrescribedSolidMotion<2>;
+template class PrescribedSolidMotion<3>;
+template class PrescribedWallMotion<2>;
+template class PrescribedWallMotion<3>;
+
+}  // namespace sphinx::constraint

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+#include "dynamics/constraint/support.h"
+#include "dynamics/part.h"
+
+#include <array>
+
+namespace sphinx::constraint {
+
+struct PrescribedMotionParameters {
+    input::Name part;
+    std::vector<input::FieldExpression> displacement;
+    std::vector<int> directions;
+};
+
+/// Motion r = R + u(R, t) of particles with the initial position R, in all or some directions, by
+/// the displacements at the times of a step alone: it holds no state of its own.
+template <int Dim>
+class PrescribedMotion : public Method {
+ public:
+    PrescribedMotion(Part<Dim> part, std::vector<input::FieldExpression> displacement,
+                     const std::vector<int>& directions);
+    std::size_t workSize() const override { return part_.size(); }
+
+ protected:
+    bool moves(int axis) const { return moves_[static_cast<std::size_t>(axis)]; }
+    double start(std::size_t i, int axis) const { return initial_position_[i][axis]; }
+    /// u of particle i at that time, length.
+    double displacement(std::size_t i, int axis, double time) const {
+        return displacement_[static_cast<std::size_t>(axis)].template operator()<Dim>(
+            initial_position_[i], time);
+    }
+
+    Part<Dim> part_;
+    Field<Vec<Dim>>& position_;
+    Field<Vec<Dim>>& velocity_;
+
+ private:
+    std::vector<input::FieldExpression> displacement_;
+    std::array<bool, Dim> moves_{};
+    Field<Vec<Dim>>& initial_position_;
+};
+
+/// Of an elastic body, between the halves of its step: v = (u(t + dt) - u(t))/dt, and a position
+/// from which the drift of the second half leads to R + u(t + dt). The reaction is what takes the
+/// velocity from its value after the kick m dv = f dt to that one.
+template <int Dim>
+class PrescribedSolidMotion final : public PrescribedMotion<Dim>, public Support<Dim> {
+ public:
+    using PrescribedMotion<Dim>::PrescribedMotion;
+    void run(int action, const Clock& clock) override;
+    const Body<Dim>& supported() const override { return this->part_.body(); }
+    Vec<Dim> reaction() const override { return reaction_; }
+    void transfer(Archive& archive) override;
+
+ private:
+    Vec<Dim> reaction_ = Vec<Dim>::Zero();
+};
+
+/// Of a rigid body, at the start of a step: the position R + u(t + dt) at its end, and velocity and
+/// acceleration at its middle by central differences,
+/// v = (u(t + dt) - u(t))/dt, a = (u(t + dt) - 2 u(t + dt/2) + u(t))/(dt/2)^2.
+template <int Dim>
+class PrescribedWallMotion final : public PrescribedMotion<Dim> {
+ public:
+    PrescribedWallMotion(const Domain<Dim>& domain, Part<Dim> part,
+                         std::vector<input::FieldExpression> displacement,
+                         const std::vector<int>& directions);
+    void run(int action, const Clock& clock) override;
+
+ private:
+    /// Into the period of the domain.
+    double wrapped(double x, int axis) const;
+
+    const Domain<Dim>* domain_;
+    Field<Vec<Dim>>& acceleration_;
+};
+
+/// Registers constraint.prescribed_motion.
+void declarePrescribedMotion(input::Registry& registry);
+
+extern template class PrescribedMotion<2>;
+extern template class PrescribedMotion<3>;
+extern template class PrescribedSolidMotion<2>;
+extern template class PrescribedSolidMotion<3>;
+extern template class PrescribedWallMotion<2>;
+extern template class PrescribedWallMotion<3>;
+
+}  // namespace sphinx::constraint

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/force/point_force.h"
+
+#include "core/parallel.h"
+
+namespace sphinx::force {
+
+template <int Dim>
+PointForce<Dim>::PointForce(Part<Dim> part, std::vector<input::FieldExpression> force)
+    : part_(part),
+      force_(std::move(force)),
+      velocity_(part.body().particles.vector(fields::velocity)),
+      mass_(part.body().particles.scalar(fields::mass)),
+      external_(part.body().particles.vector(fields::external_acceleration)) {}
+
+template <int Dim>
+void PointForce<Dim>::run(int, const Clock& clock) {
+    const double half = 0.5 * clock.dt;
+    const auto& position = part_.body().particles.position();
+    const double mass = part_.mass();
+    const Vec<Dim> moment = parallelReduce(
+        part_.size(), Vec<Dim>(Vec<Dim>::Zero()),
+        [&](std::size_t begin, std::size_t end) {
+            Vec<Dim> sum = Vec<Dim>::Zero();
+            for (std::size_t n = begin; n < end; ++n) {
+                const std::size_t i = part_[n];
+                sum += mass_[i] * (position[i] + half * velocity_[i]);
+            }
+            return sum;
+        },
+        [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
+    const Vec<Dim> centre = moment / mass;
+    Vec<Dim> acceleration;
+    for (int c = 0; c < Dim; ++c)
+        acceleration[c] = force_[static_cast<std::size_t>(c)].template operator()<Dim>(
+                              centre, clock.time + half) /
+                          mass;
+    parallelFor(part_.size(), [&](std::size_t n) { external_[part_[n]] += acceleration; });
+}
+
+void declarePointForce(input::Registry& registry) {
+    using P = PointForceParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "force.point_force");
+    d.summary(
+        "One force on a part of an elastic body, shared by its particles as their masses are");
+    d.formula("dv_i/dt += F(t + dt/2)/M, M = sum_j m_j over the part: the forces add up to F");
+    d.required("part", &P::part, input::partReference({"elastic"}), "body, or part of a body");
+    d.required("force", &P::force, input::fieldVector(unit::force),
+               "force on the whole part, one expression of t for each direction; x, y, z are its "
+               "centre of mass");
+    d.action("", "before the first half of the body's step, in the same layer")
+        .reads("part", {"position", "velocity", "mass"})
+        .accumulates("part", {"external_acceleration"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<PointForce<Dim>>(Part<Dim>(context.world, p.part), p.force);
+    }));
+}
+
+template class PointForce<2>;
+template class PointForce<3>;
+
+}  // namespace sphinx::force

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+#include "dynamics/part.h"
+
+namespace sphinx::force {
+
+struct PointForceParameters {
+    input::Name part;
+    std::vector<input::FieldExpression> force;
+};
+
+/// One force on a part of an elastic body, shared by its particles as their masses are, so that
+/// each gets the acceleration F/M and the sum is exactly F. Evaluated at the middle of the step,
+/// where the velocity gets its kick.
+template <int Dim>
+class PointForce final : public Method {
+ public:
+    PointForce(Part<Dim> part, std::vector<input::FieldExpression> force);
+
+    void run(int action, const Clock& clock) override;
+    std::size_t workSize() const override { return part_.size(); }
+
+ private:
+    Part<Dim> part_;
+    std::vector<input::FieldExpression> force_;
+    Field<Vec<Dim>>& velocity_;
+    Field<double>& mass_;
+    Field<Vec<Dim>>& external_;
+};
+
+/// Registers force.point_force.
+void declarePointForce(input::Registry& registry);
+
+extern template class PointForce<2>;
+extern template class PointForce<3>;
+
+}  // namespace sphinx::force

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/force/surface_pressure.h"
+
+#include "core/parallel.h"
+
+#include <Eigen/LU>
+
+namespace sphinx::force {
+
+template <int Dim>
+SurfacePressure<Dim>::SurfacePressure(Part<Dim> part, input::FieldExpression pressure,
+                                      double thickness, std::vector<input::FieldExpression> normal)
+    : part_(part),
+      pressure_(std::move(pressure)),
+      thickness_(thickness),
+      given_normal_(std::move(normal)),
+      velocity_(part.body().particles.vector(fields::velocity)),
+      external_(part.body().particles.vector(fields::external_acceleration)),
+      gradient_(part.body().particles.matrix(fields::deformation_gradient)),
+      rate_(part.body().particles.matrix(fields::deformation_rate)),
+      mass_(part.body().particles.scalar(fields::mass)) {}
+
+template <int Dim>
+void SurfacePressure<Dim>::findAreas() {
+    ParticleSet<Dim>& particles = part_.body().particles;
+    const auto& start = particles.vector(fields::initial_position);
+    const auto& volume = particles.scalar(fields::volume);
+    area_.resize(part_.size());
+    parallelFor(part_.size(), [&](std::size_t n) {
+        const std::size_t i = part_[n];
+        Vec<Dim> normal;
+        if (given_normal_.empty())
+            normal = part_.body().shape->normal(start[i]);
+        else
+            for (int c = 0; c < Dim; ++c)
+                normal[c] = given_normal_[static_cast<std::size_t>(c)].template operator()<Dim>(
+                    start[i], 0);
+        area_[n] = volume[i] / thickness_ * normal.normalized();
+    });
+}
+
+template <int Dim>
+void SurfacePressure<Dim>::run(int, const Clock& clock) {
+    if (area_.empty()) findAreas();
+    const double half = 0.5 * clock.dt;
+    const auto& position = part_.body().particles.position();
+    parallelFor(part_.size(), [&](std::size_t n) {
+        const std::size_t i = part_[n];
+        const Mat<Dim> F = gradient_[i] + half * rate_[i];
+        const Vec<Dim> r = position[i] + half * velocity_[i];
+        const double p = pressure_.template operator()<Dim>(r, clock.time + half);
+        const Vec<Dim> area = F.determinant() * (F.inverse().transpose() * area_[n]);
+        external_[i] -= p / mass_[i] * area;
+    });
+}
+
+void declareSurfacePressure(input::Registry& registry) {
+    using P = SurfacePressureParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "force.surface_pressure");
+    d.summary(
+        "Pressure on the surface of an elastic body, which turns and stretches with it; a "
+        "layer of particles along the surface carries it");
+    d.formula(
+        "f_i = -p(r_i, t) det(F_i) F_i^-T N_i V_i/d, N_i the outward normal at the start, d "
+        "the thickness of the layer (Nanson's formula)");
+    d.required("part", &P::part, input::partReference({"elastic"}),
+               "the layer of particles: a part of a body");
+    d.required("pressure", &P::pressure, input::fieldExpression(unit::pressure),
+               "pressure p, an expression of the current place and t; positive pushes inwards");
+    d.optional("thickness", &P::thickness, input::number(unit::length).above(0),
+               "thickness d of the layer at the start; default: the body's spacing, for a single "
+               "row of particles");
+    d.optional("normal", &P::normal, input::fieldVector(unit::none),
+               "outward normal N at the initial position, of any length; default: that of the "
+               "body's shape, which at an edge may be of either face");
+    d.check("normal", [](const P& p) -> std::string {
+        for (const auto& component : p.normal)
+            if (component.dependsOnTime())
+                return "the normal is that at the start: it must not depend on time";
+        return "";
+    });
+    d.action("", "before the first half of the body's step, in the same layer")
+        .reads("part", {"initial_position", "position", "velocity", "volume", "mass",
+                        "deformation_gradient", "deformation_rate"})
+        .accumulates("part", {"external_acceleration"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        const Part<Dim> part(context.world, p.part);
+        return std::make_unique<SurfacePressure<Dim>>(
+            part, p.pressure, p.thickness.value_or(part.body().spacing), p.normal);
+    }));
+}
+
+template class SurfacePressure<2>;
+template class SurfacePressure<3>;
+
+}  // namespace sphinx::force
