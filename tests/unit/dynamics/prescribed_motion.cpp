@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/constraint/prescribed_motion.h"
+
+#include "expression.h"
+#include "stepper.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+using namespace sphinx;
+using namespace sphinx::constraint;
+using namespace sphinx::test;
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+World<2> periodicAlongX(double period) {
+    World<2> world;
+    world.domain.bounds.lower = Vec<2>(0, -10);
+    world.domain.bounds.upper = Vec<2>(period, 10);
+    world.domain.periodic = {true, false};
+    return world;
+}
+
+}  // namespace
+
+TEST_CASE("an elastic part is where its motion says after every step") {
+    ElasticScene<2> scene;
+    Body<2>& body = scene.add("block", scene.lattice({6, 6}, 0.1));
+    scene.addPart(body, "left", [](const Vec<2>& R) { return R[0] < 2 * spacing; });
+    const Part<2> left(scene.world, {"block.left", {}});
+    Stepper<2> stepper(scene.context, body);
+    const auto& R = body.particles.vector(fields::initial_position);
+    const auto& r = body.particles.position();
+    const auto u = [&](const Vec<2>& X, double t) -> Vec<2> {
+        return {0.02 * std::sin(30 * t), 0.5 * t * X[0]};
+    };
+    const auto texts = expressions({"0.02*sin(30*t)", "0.5*t*x"}, unit::length);
+    const bool only_y = GENERATE(false, true);
+    PrescribedSolidMotion<2> motion(left, texts, only_y ? std::vector<int>{1} : std::vector<int>{});
+    double other = 0;  // motion of the particles that are free, or along the free axis
+    for (int k = 0; k < 200; ++k) {
+        const double begin = stepper.clock.time;
+        stepper.step(scene.random(0.5e-3, 2e-3), {}, {&motion});
+        const double end = stepper.clock.time;
+        for (std::size_t n = 0; n < left.size(); ++n) {
+            const std::size_t i = left[n];
+            const Vec<2> expected = R[i] + u(R[i], end);
+            const Vec<2> v = (u(R[i], end) - u(R[i], begin)) / (end - begin);
+            for (int c = only_y ? 1 : 0; c < 2; ++c) {
+                CHECK(std::abs(r[i][c] - expected[c]) <= 4 * epsilon);
+                CHECK(body.particles.vector(fields::velocity)[i][c] == Approx(v[c]).epsilon(1e-9));
+            }
+            if (only_y) other = std::max(other, std::abs(r[i][0] - R[i][0]));
+        }
+    }
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        CHECK(r[i].allFinite());
+        if (R[i][0] > 4 * spacing) other = std::max(other, (r[i] - R[i]).norm());
+    }
+    CHECK(other > 1e-3);
+}
+
+TEST_CASE("what moves a body as a whole gives its mass times its acceleration") {
+    ElasticScene<3> scene;
+    Body<3>& body = scene.add("block", scene.lattice({4, 4, 4}, 0.1));
+    Stepper<3> stepper(scene.context, body);
+    PrescribedSolidMotion<3> motion(Part<3>(scene.world, {"block", {}}),
+                                    expressions({"1.5*t^2", "0", "-2*t^2"}, unit::length), {});
+    double mass = 0;
+    for (std::size_t i = 0; i < body.size(); ++i) mass += body.particles.scalar(fields::mass)[i];
+    for (int k = 0; k < 20; ++k) {
+        stepper.step(1e-3, {}, {&motion});
+        if (k > 0) CHECK((motion.reaction() - mass * Vec<3>(3, 0, -4)).norm() < 1e-9 * mass);
+    }
+    CHECK(&motion.supported() == &body);
+}
+
+TEST_CASE("a wall that moves: what a fluid sees of it") {
+    ElasticScene<2> scene;
+    scene.world = periodicAlongX(1);
+    Body<2>& wall = scene.add("wall", scene.lattice({10, 3}));
+    wall.material = std::make_shared<Rigid>(1);
+    wall.particles.vector(fields::velocity)[0] = {7, 8};
+    const auto& R = wall.particles.vector(fields::initial_position);
+    const Clock clock{0.5, 0.25, 0};
+    const auto texts = expressions({"3*t + 2*t^2 + y", "-t^2*x"}, unit::length);
+
+    SECTION("position at the end of the step, velocity and acceleration of its middle") {
+        PrescribedWallMotion<2> motion(scene.world.domain, Part<2>(scene.world, {"wall", {}}),
+                                       texts, {});
+        const auto version = wall.version;
+        motion.run(0, clock);
+        CHECK(wall.version > version);
+        for (std::size_t i = 0; i < wall.size(); ++i) {
+            const double x = R[i][0] + 3 * 0.75 + 2 * 0.75 * 0.75 + R[i][1];
+            CHECK(wall.particles.position()[i][0] == Approx(x - std::floor(x)).margin(4 * epsilon));
+            CHECK(wall.particles.position()[i][1] ==
+                  Approx(R[i][1] - 0.75 * 0.75 * R[i][0]).margin(4 * epsilon));
+            const Vec<2> v(3 + 4 * 0.625, -2 * 0.625 * R[i][0]);
+            const Vec<2> a(4, -2 * R[i][0]);
+            CHECK((wall.particles.vector(fields::velocity)[i] - v).norm() < 1e-13);
+            CHECK((wall.particles.vector(fields::acceleration)[i] - a).norm() < 1e-12);
+        }
+    }
+    SECTION("a part, along one axis") {
+        scene.addPart(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
+        PrescribedWallMotion<2> motion(scene.world.domain, Part<2>(scene.world, {"wall.end", {}}),
+                                       texts, {1});
+        motion.run(0, clock);
+        CHECK(wall.particles.vector(fields::velocity)[0] == Vec<2>(7, 8));
+        for (std::size_t i = 0; i < wall.size(); ++i) {
+            CHECK(wall.particles.position()[i][0] == R[i][0]);
+            const double y = R[i][0] > 0.5 ? R[i][1] - 0.75 * 0.75 * R[i][0] : R[i][1];
+            CHECK(wall.particles.position()[i][1] == Approx(y).margin(4 * epsilon));
+        }
+    }
+}
