@@ -30,12 +30,13 @@ bool intersect(Defined& into, const Defined& from) {
 std::string message(const Flow& flow, const LineFacts& reader, const FieldKey& key) {
     const LineFacts* always = nullptr;
     const LineFacts* sometimes = nullptr;
+    const LineFacts* updates = nullptr;  // needs a value itself
     for (const FlowNode& node : flow.nodes()) {
         if (!node.line || node.line == &reader) continue;
-        if (!has(*node.line, AccessMode::write, key) &&
-            !has(*node.line, AccessMode::accumulate, key))
-            continue;
-        const LineFacts*& writer = node.line->sometimes ? sometimes : always;
+        const bool writes = has(*node.line, AccessMode::write, key);
+        if (!writes && !has(*node.line, AccessMode::accumulate, key)) continue;
+        const bool reads = writes && has(*node.line, AccessMode::read, key);
+        const LineFacts*& writer = reads ? updates : node.line->sometimes ? sometimes : always;
         if (!writer) writer = node.line;
     }
     const std::string what = fmt::format("{} of {}", key.second, key.first);
@@ -45,6 +46,10 @@ std::string message(const Flow& flow, const LineFacts& reader, const FieldKey& k
     if (sometimes)
         return fmt::format("{} reads {}, which {} writes only in some steps: call {} in start too",
                            reader.label, what, sometimes->label, sometimes->label);
+    if (updates)
+        return fmt::format("{} reads {}, which {} only updates: call a method that computes it "
+                           "first",
+                           reader.label, what, updates->label);
     return fmt::format("{} reads {}, which nothing writes: call a method that computes it first",
                        reader.label, what);
 }

@@ -95,9 +95,9 @@ TEST_CASE("a field is read before anything wrote it") {
     }
     SECTION("by the estimate of a time step, and said only once") {
         facts.bodies[0].initial = {"mass", "density", "density_rate"};
-        CHECK(found(facts) == Messages{"11 error advection_dt reads velocity of water before "
-                                       "pressure_relaxation.first_half has written it: call "
-                                       "pressure_relaxation.first_half earlier, or in start"});
+        CHECK(found(facts) == Messages{"11 error advection_dt reads velocity of water, which "
+                                       "pressure_relaxation.first_half only updates: call a "
+                                       "method that computes it first"});
     }
     SECTION("by an output") {
         facts.outputs[0].accesses.push_back(read("water", "vorticity"));
