@@ -11,14 +11,14 @@ PARTICLES = 5000
 
 
 class Threads(Promise):
-    def same_for_all_threads(self, name, changes):
+    def same_for_all_threads(self, name, changes, body="water"):
         outputs = {"restart": {"type": "restart", "every": {"steps": 5}, "keep": 1000}}
         case = self.case(name, **changes, outputs=outputs)
         for threads in (1, 2, 7):
             self.sphinx(case, self.folder / str(threads), threads=threads)
         one = restarts(self.folder / "1")
         self.assertGreaterEqual(len(one), 4)
-        self.assertGreater(len(Restart(one[5]).values("water", "id")), PARTICLES)
+        self.assertGreater(len(Restart(one[5]).values(body, "id")), PARTICLES)
         for threads in ("2", "7"):
             self.assertEqual(list(restarts(self.folder / threads)), list(one))
             for path in one.values():
@@ -29,6 +29,10 @@ class Threads(Promise):
 
     def test_3d(self):
         self.same_for_all_threads("splash_3d", {"variables__spacing": 0.4 / 16, "loop__end_time": 0.2})
+
+    def test_elastic(self):
+        self.same_for_all_threads(
+            "gate_2d", {"variables__refined": 3, "variables__spacing": 0.025, "loop__end_time": 0.15}, "gate")
 
 
 if __name__ == "__main__":
