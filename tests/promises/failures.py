@@ -61,6 +61,34 @@ class BlownUp(Promise):
                 self.assertTrue(np.isfinite(Restart(path).values("water", field)).all(), path)
 
 
+class BrokenSolid(Promise):
+    """A strip whose ends move too far apart, or through each other."""
+
+    def breaks(self, message, changes):
+        output = self.folder / "out"
+        case = self.case("strip_2d", **changes, loop__end_time=3, outputs__restart__every={"steps": 1})
+        said = self.sphinx(case, output, expect=3)
+        errors = [line for line in said.splitlines() if line.startswith("error: ")]
+        self.assertEqual(len(errors), 1, said)
+        self.assertRegex(errors[0], r"^error: particle \d+ of strip at \(\S+, \S+\) " + message +
+                         r", time \d\S*$")
+        self.assertTrue((output / "failed/strip_000000.vtu").exists())
+        for path in restarts(output).values():
+            gradient = Restart(path).values("strip", "deformation_gradient").reshape(-1, 2, 2)
+            self.assertGreater(np.linalg.det(gradient).min(), 0, path)
+
+    def test_finite_extensibility_exceeded(self):
+        self.breaks(r"is stretched beyond the finite extensibility of its material "
+                    r"\(I1 - 3 = 0\.\d+\)", {})
+
+    def test_inverted(self):
+        rubber = {"type": "saint_venant_kirchhoff", "density": 1, "youngs_modulus": 100,
+                  "poisson_ratio": 0.3}
+        self.breaks(r"is inverted \(det F = -\d\S*\); a smaller cfl, a finer spacing or a stiffer "
+                    r"material may help",
+                    {"materials__rubber": rubber, "variables__pulled": "-0.6*length"})
+
+
 class CannotWrite(Promise):
     """A run gets into trouble, keeps its last good restart and goes on when there is room again."""
 

@@ -34,6 +34,10 @@ class Threads(Promise):
         self.same_for_all_threads(
             "gate_2d", {"variables__refined": 3, "variables__spacing": 0.025, "loop__end_time": 0.15}, "gate")
 
+    def test_elastic_with_loads_and_motion(self):
+        size = {"variables__spacing": 0.008, "variables__width": 0.4, "variables__length": 1.2}
+        self.same_for_all_threads("strip_2d", {**size, "loop__end_time": 0.02}, "strip")
+
 
 if __name__ == "__main__":
     unittest.main()
