@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""What the tests of elastic beams share: the tip, values at rest, periods, extrapolation."""
+
+import numpy as np
+
+
+def tip(run, field="displacement", components="xy"):
+    """(times, values) at the end of a beam.
+
+    An observer tells means over the particles around its points, which next to a surface stand to one
+    side. The points of these cases lie four and two spacings inside, where such a mean is exact for
+    linear fields; the end, free of bending, is on the line through both.
+    """
+    series = run.series("tip")
+    return series["time"], np.array(
+        [2 * series[f"{field}_1_{c}"] - series[f"{field}_0_{c}"] for c in components]).T
+
+
+def at_rest(t, values, period):
+    """Values without the swing of the given period, from the last one: mean, cosine, sine fitted.
+
+    Returns the means and the amplitude of the swing of the last component.
+    """
+    last = t >= t[-1] - period
+    phase = 2 * np.pi * t[last] / period
+    basis = np.array([np.ones_like(phase), np.cos(phase), np.sin(phase)]).T
+    found = np.linalg.lstsq(basis, values[last], rcond=None)[0]
+    return found[0], np.hypot(found[1], found[2])[-1]
+
+
+def extremes(t, x):
+    """(times, values) of the interior maxima and minima of a smooth curve, each by a parabola."""
+    inside = np.flatnonzero((x[1:-1] - x[:-2]) * (x[2:] - x[1:-1]) < 0) + 1
+    times, values = [], []
+    for k in inside:
+        p = np.polyfit(t[k - 1:k + 2] - t[k], x[k - 1:k + 2], 2)
+        times.append(t[k] - p[1] / (2 * p[0]))
+        values.append(p[2] - p[1] ** 2 / (4 * p[0]))
+    return np.array(times), np.array(values)
+
+
+def zeros(t, x):
+    """Times at which a curve changes its sign, the start left out."""
+    k = np.flatnonzero(x[1:-1] * x[2:] <= 0) + 1
+    return t[k] - x[k] * (t[k + 1] - t[k]) / (x[k + 1] - x[k])
+
+
+def extrapolated(values):
+    """(order, limit) of values at three spacings, each half of the one before: Richardson."""
+    coarse, middle, fine = values
+    ratio = (middle - coarse) / (fine - middle)
+    if not ratio > 1:
+        return float("nan"), float("nan")
+    return float(np.log2(ratio)), fine + (fine - middle) / (ratio - 1)
+
+
+def study(rows, references):
+    """Prints the table of a README: rows are {name of the resolution: values}, three halved spacings."""
+    cells = lambda values: " | ".join(f"{v:.4g} ({100 * (v / r - 1):+.1f} %)"
+                                      for v, r in zip(values, references))
+    for name, values in rows.items():
+        print(f"| {name} | {cells(values)} |")
+    limits = [extrapolated(column) for column in zip(*rows.values())]
+    print(f"| extrapolated | {cells([limit for _, limit in limits])} |")
+    print(f"| order | {' | '.join(f'{order:.1f}' for order, _ in limits)} |", flush=True)
