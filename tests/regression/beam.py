@@ -46,21 +46,31 @@ def zeros(t, x):
     return t[k] - x[k] * (t[k + 1] - t[k]) / (x[k + 1] - x[k])
 
 
-def extrapolated(values):
-    """(order, limit) of values at three spacings, each half of the one before: Richardson."""
+def extrapolated(across, values):
+    """(order p, limit f) of f + c h^p through values at three h = 1/across: Richardson."""
+    h = 1 / np.array(across, dtype=float)
     coarse, middle, fine = values
-    ratio = (middle - coarse) / (fine - middle)
-    if not ratio > 1:
+    ratio = (coarse - middle) / (middle - fine)
+
+    def excess(p):
+        return (h[0] ** p - h[1] ** p) / (h[1] ** p - h[2] ** p) - ratio
+
+    low, high = 0.1, 8.0
+    if not excess(low) < 0 < excess(high):
         return float("nan"), float("nan")
-    return float(np.log2(ratio)), fine + (fine - middle) / (ratio - 1)
+    for _ in range(60):
+        p = (low + high) / 2
+        low, high = (p, high) if excess(p) < 0 else (low, p)
+    return p, fine + (fine - middle) / (h[1] ** p - h[2] ** p) * h[2] ** p
 
 
 def study(rows, references):
-    """Prints the table of a README: rows are {name of the resolution: values}, three halved spacings."""
-    cells = lambda values: " | ".join(f"{v:.4g} ({100 * (v / r - 1):+.1f} %)"
-                                      for v, r in zip(values, references))
-    for name, values in rows.items():
-        print(f"| {name} | {cells(values)} |")
-    limits = [extrapolated(column) for column in zip(*rows.values())]
-    print(f"| extrapolated | {cells([limit for _, limit in limits])} |")
-    print(f"| order | {' | '.join(f'{order:.1f}' for order, _ in limits)} |", flush=True)
+    """Prints the table of a README: rows are {particles across: values}, three, coarse to fine."""
+    def cells(values):
+        return " | ".join(f"{v:.4g} ({100 * (v / r - 1):+.1f} %)" for v, r in zip(values, references))
+
+    for across, values in rows.items():
+        print(f"| H/{across} | {cells(values)} |")
+    found = [extrapolated(list(rows), column) for column in zip(*rows.values())]
+    print(f"| extrapolated | {cells([limit for _, limit in found])} |")
+    print(f"| order | {' | '.join(f'{order:.1f}' for order, _ in found)} |", flush=True)

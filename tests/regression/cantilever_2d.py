@@ -34,7 +34,7 @@ def main():
     for load in DOWN:
         if options.study:
             print(f"load {load}")
-            beam.study({f"H/{across}": measure(load, across)[:2] for across in (5, 10, 20)},
+            beam.study({across: measure(load, across)[:2] for across in (5, 10, 20)},
                        (DOWN[load], BACK[load]))
             continue
         across = 20 if options.long else 10
@@ -42,7 +42,8 @@ def main():
         limit = DOWN_LIMIT[across]
         report.check(f"load {load}: tip sinks, less reference, of it", down / DOWN[load] - 1, -limit, limit)
         limit = BACK_LIMIT[across]
-        report.check(f"load {load}: tip goes back, less reference, of it", back / BACK[load] - 1, -limit, limit)
+        report.check(f"load {load}: tip goes back, less reference, of it", back / BACK[load] - 1,
+                     -limit, limit)
         report.check(f"load {load}: what is left of the swing", swing / down, 0, SWING_LIMIT)
     report.end()
 

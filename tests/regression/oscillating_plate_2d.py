@@ -54,7 +54,7 @@ def main():
             rows = {}
             for across in (5, 10, 20):
                 found = measure(name, across)
-                rows[f"H/{across}"] = found["period"], found["amplitude"]
+                rows[across] = found["period"], found["amplitude"]
             print(CLAMP[name])
             beam.study(rows, (period, amplitude))
             continue
