@@ -19,6 +19,8 @@ double FieldExpression::evaluate(double x, double y, double z, double t) const {
 
 bool FieldExpression::dependsOnTime() const { return compiled_ && compiled_->uses_time; }
 
+bool FieldExpression::dependsOnPlace() const { return compiled_ && compiled_->uses_place; }
+
 std::string FieldExpression::text() const {
     return compiled_ ? compiled_->text : fmt::format("{}", constant_);
 }

@@ -20,6 +20,7 @@ class FieldExpression {
     /// True when the value depends on neither place nor time: value() holds everywhere.
     bool constant() const { return compiled_ == nullptr; }
     bool dependsOnTime() const;
+    bool dependsOnPlace() const;
     double value() const { return constant_; }
 
     template <int Dim>

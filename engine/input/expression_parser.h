@@ -20,6 +20,7 @@ struct FieldExpression::Compiled {
     std::string text;
     std::map<std::string, double> constants;  ///< variables of the case that it uses
     bool uses_time;
+    bool uses_place;
 };
 
 /// Something wrong with an expression, at a byte of its text.

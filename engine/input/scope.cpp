@@ -156,15 +156,14 @@ struct Scope::Evaluation {
         const std::vector<Identifier> identifiers = scanExpression(node.text, error);
         if (error) return fail(within(node, error->position), label + ": " + error->message);
         std::map<std::string, double> constants;
-        bool uses_field = false;
         bool uses_time = false;
+        bool uses_place = false;
         bool good = true;
         for (const Identifier& name : identifiers) {
             if (!check(node, name)) {
                 good = false;
             } else if (contains(field_names, name.name)) {
-                uses_field = true;
-                uses_time = uses_time || name.name == "t";
+                (name.name == "t" ? uses_time : uses_place) = true;
             } else if (scope.has(name.name)) {
                 const auto value =
                     scope.resolve(name.name, within(node, name.position), units, diagnostics);
@@ -175,7 +174,7 @@ struct Scope::Evaluation {
         if (!good) return std::nullopt;
         try {
             ExpressionParser parser(node.text, constants);
-            if (!uses_field) return finite(node, parser.evaluate(0, 0, 0, 0));
+            if (!uses_time && !uses_place) return finite(node, parser.evaluate(0, 0, 0, 0));
         } catch (const ExpressionError& e) {
             return fail(within(node, e.position), label + ": " + e.message);
         }
@@ -184,7 +183,8 @@ struct Scope::Evaluation {
             scope.variables_.find(name)->second.used_by_field = true;
         FieldExpression result;
         result.compiled_ = std::make_shared<FieldExpression::Compiled>(
-            FieldExpression::Compiled{next_id++, node.text, std::move(constants), uses_time});
+            FieldExpression::Compiled{next_id++, node.text, std::move(constants), uses_time,
+                                      uses_place});
         return result;
     }
 

@@ -117,7 +117,11 @@ TEST_CASE("Expressions of place and time") {
     CHECK(field(Vec<3>(1, 2, 3), 4) == 0.05 * std::cos(2.0) + 2 * 3 - 4);
     CHECK(f.field("2*wave").constant());
     CHECK(f.field("2*wave").value() == 0.1);
+    CHECK(field.dependsOnPlace());
     CHECK(!f.field("x").dependsOnTime());
+    CHECK(f.field("x").dependsOnPlace());
+    CHECK(!f.field("wave*t").dependsOnPlace());
+    CHECK(!f.field("2*wave").dependsOnPlace());
     CHECK(f.field("x")(Vec<2>(7, 8), 0) == 7);
     CHECK(f.scope.usedByFields().find("wave")->text == "0.05");
     CHECK(f.error("x + 1").find("initial values and profiles only") != std::string::npos);
