@@ -20,6 +20,7 @@ PrescribedMotion<Dim>::PrescribedMotion(Part<Dim> part,
       initial_position_(part.body().particles.vector(fields::initial_position)) {
     moves_.fill(directions.empty());
     for (const int axis : directions) moves_[static_cast<std::size_t>(axis)] = true;
+    for (std::size_t c = 0; c < Dim; ++c) varies_[c] = displacement_[c].dependsOnPlace();
 }
 
 template <int Dim>
@@ -29,6 +30,8 @@ void PrescribedSolidMotion<Dim>::run(int, const Clock& clock) {
     auto& position = this->position_;
     auto& velocity = this->velocity_;
     const auto& mass = this->part_.body().particles.scalar(fields::mass);
+    const typename PrescribedMotion<Dim>::Displacement before(*this, clock.time);
+    const typename PrescribedMotion<Dim>::Displacement after(*this, clock.time + dt);
     const Vec<Dim> momentum = parallelReduce(
         this->part_.size(), Vec<Dim>(Vec<Dim>::Zero()),
         [&](std::size_t begin, std::size_t end) {
@@ -37,12 +40,11 @@ void PrescribedSolidMotion<Dim>::run(int, const Clock& clock) {
                 const std::size_t i = this->part_[n];
                 for (int c = 0; c < Dim; ++c) {
                     if (!this->moves(c)) continue;
-                    const double before = this->displacement(i, c, clock.time);
-                    const double after = this->displacement(i, c, clock.time + dt);
-                    const double v = (after - before) / dt;
+                    const double u = after(i, c);
+                    const double v = (u - before(i, c)) / dt;
                     sum[c] += mass[i] * (v - velocity[i][c]);
                     velocity[i][c] = v;
-                    position[i][c] = this->start(i, c) + after - 0.5 * dt * v;
+                    position[i][c] = this->start(i, c) + u - 0.5 * dt * v;
                 }
             }
             return sum;
@@ -80,16 +82,19 @@ void PrescribedWallMotion<Dim>::run(int, const Clock& clock) {
     const double half = 0.5 * dt;
     auto& position = this->position_;
     auto& velocity = this->velocity_;
+    const typename PrescribedMotion<Dim>::Displacement before(*this, clock.time);
+    const typename PrescribedMotion<Dim>::Displacement middle(*this, clock.time + half);
+    const typename PrescribedMotion<Dim>::Displacement after(*this, clock.time + dt);
     parallelFor(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
         for (int c = 0; c < Dim; ++c) {
             if (!this->moves(c)) continue;
-            const double before = this->displacement(i, c, clock.time);
-            const double middle = this->displacement(i, c, clock.time + half);
-            const double after = this->displacement(i, c, clock.time + dt);
-            velocity[i][c] = (after - before) / dt;
-            acceleration_[i][c] = ((after - middle) - (middle - before)) / (half * half);
-            position[i][c] = wrapped(this->start(i, c) + after, c);
+            const double u0 = before(i, c);
+            const double u1 = middle(i, c);
+            const double u2 = after(i, c);
+            velocity[i][c] = (u2 - u0) / dt;
+            acceleration_[i][c] = ((u2 - u1) - (u1 - u0)) / (half * half);
+            position[i][c] = wrapped(this->start(i, c) + u2, c);
         }
     });
     ++this->part_.body().version;
