@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/constraint/fix.h"
+#include "dynamics/force/body_force.h"
 #include "dynamics/force/gravity.h"
 #include "dynamics/force/point_force.h"
 #include "dynamics/force/spring.h"
@@ -92,6 +93,31 @@ TEMPLATE_TEST_CASE_SIG("a point force is shared without loss and moves the centr
         const Vec<Dim> moved = centreOf(body) - before;
         CHECK(moved[0] == Approx(3 * t * t / (2 * massOf(body))).epsilon(1e-11));
         CHECK(moved[1] == Approx(-2 * t * t / (2 * massOf(body))).epsilon(1e-11));
+    }
+}
+
+TEST_CASE("bodies under gravity and body forces move as a point would") {
+    ElasticScene<2> scene;
+    Body<2>& body = scene.add("block", scene.lattice({5, 5}, 0.1));
+    Stepper<2> stepper(scene.context, body);
+    force::Gravity<2> gravity(body, Vec<2>(0, -10));
+    const Vec<2> before = centreOf(body);
+
+    SECTION("free fall") {
+        for (int k = 0; k < 100; ++k) stepper.step(1e-3, {&gravity});
+        const double t = stepper.clock.time;
+        CHECK((centreOf(body) - before - Vec<2>(0, -5 * t * t)).norm() < 1e-13);
+    }
+    SECTION("a force per mass of place and time, besides gravity") {
+        force::BodyForce<2> body_force(body, expressions({"3*y + t", "x"}, unit::acceleration));
+        stepper.clock.time = 0.25;
+        stepper.step(1e-9, {&gravity, &body_force});
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            const Vec<2>& x = body.particles.position()[i];
+            const Vec<2> expected(3 * x[1] + 0.25, x[0] - 10);
+            CHECK((body.particles.vector(fields::external_acceleration)[i] - expected).norm() <
+                  1e-12);
+        }
     }
 }
 

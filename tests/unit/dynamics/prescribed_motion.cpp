@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/constraint/prescribed_motion.h"
 
+#include "dynamics/solid/derived_fields.h"
 #include "expression.h"
 #include "stepper.h"
 
@@ -77,6 +78,36 @@ TEST_CASE("what moves a body as a whole gives its mass times its acceleration") 
         if (k > 0) CHECK((motion.reaction() - mass * Vec<3>(3, 0, -4)).norm() < 1e-9 * mass);
     }
     CHECK(&motion.supported() == &body);
+}
+
+TEST_CASE("the stress of a block that is stretched") {
+    ElasticScene<3> scene;
+    Body<3>& body = scene.add("block", scene.lattice({4, 4, 4}, 0.1));
+    const auto& stress = body.particles.matrix(fields::piola_kirchhoff_stress);
+    const auto& energy = body.particles.scalar(fields::strain_energy_density);
+    Stepper<3> stepper(scene.context, body);
+    // Velocities are those of the middle of a step: F is complete once the motion has stopped.
+    PrescribedSolidMotion<3> motion(
+        Part<3>(scene.world, {"block", {}}),
+        expressions({"0.3*(t < 1 ? t : 1)*x", "-0.1*(t < 1 ? t : 1)*y", "0"}, unit::length), {});
+    for (int k = 0; k < 102; ++k) stepper.step(1e-2, {}, {&motion});
+    solid::derive(body, fields::piola_kirchhoff_stress);
+    solid::derive(body, fields::strain_energy_density);
+
+    // S = lambda tr(E) I + 2 mu E with the stretches 1.3, 0.9 and 1, P = F S.
+    const double mu = youngs_modulus / (2 * 1.3);
+    const double lambda = youngs_modulus * 0.3 / (1.3 * 0.4);
+    const Vec<3> stretch(1.3, 0.9, 1);
+    const Vec<3> strain((1.69 - 1) / 2, (0.81 - 1) / 2, 0);
+    const Mat<3> P = stretch.cwiseProduct(2 * mu * strain + Vec<3>::Constant(lambda * strain.sum()))
+                         .asDiagonal();
+    const double W = lambda / 2 * strain.sum() * strain.sum() + mu * strain.squaredNorm();
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        CHECK((stress[i] - P).norm() < 1e-10 * youngs_modulus);
+        CHECK(energy[i] == Approx(W).epsilon(1e-10));
+    }
+    // What the motion takes to hold the block adds up to nothing.
+    CHECK(motion.reaction().norm() < 1e-10 * youngs_modulus * spacing * spacing);
 }
 
 TEST_CASE("a wall that moves: what a fluid sees of it") {
