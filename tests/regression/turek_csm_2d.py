@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""Turek & Hron's beam without fluid: at rest (CSM1, CSM2) and swinging (CSM3).
+
+References are those of Turek & Hron 2006, doi:10.1007/3-540-34596-5_15, of point A, the middle of the
+tip; of the swing its lowest point, mean less amplitude, and its frequency.
+"""
+
+import numpy as np
+
+import beam
+import checks
+
+# How far A sinks, m.
+REST = {"csm1": 0.06610, "csm2": 0.01697}
+LOWEST, FREQUENCY = 0.06361 + 0.06516, 1.0995
+
+# Errors at H/5, H/10 and H/20: README.md.
+REST_LIMIT = {5: 0.16, 10: 0.04}
+LOWEST_LIMIT = {10: 0.045, 20: 0.03}
+FREQUENCY_LIMIT = {10: 0.03, 20: 0.018}
+SWING_LIMIT = 0.03  # of what it sinks by
+
+
+def run_of(name, across, *settings):
+    return checks.Run(f"turek_csm_2d/{name}.yaml", f"variables.spacing=thickness/{across}",
+                      "outputs.fields.every={time: 10}", *settings)
+
+
+def at_rest(name, across):
+    t, u = beam.tip(run_of(name, across))
+    rest, swing = beam.at_rest(t, u, t[-1] / 3)
+    return -rest[1], swing / -rest[1]
+
+
+def swinging(across, end=1.6):
+    t, u = beam.tip(run_of("case", across, f"loop.end_time={end}"))
+    times, values = beam.extremes(t, u[:, 1])
+    low = values < -LOWEST / 2
+    return {"t": t, "u": u, "lowest": -values[low].mean(), "frequency": 1 / np.diff(times[low]).mean()}
+
+
+def plot():
+    figure, axes = checks.new_plot(8, 4)
+    reference = checks.reference("turek_csm_2d", "tip.csv")
+    found = swinging(10, 2)
+    for k, c in enumerate("xy"):
+        [drawn] = axes.plot(reference["t"], 1000 * reference[f"u{c}"], "--", label=f"finite elements, {c}")
+        axes.plot(found["t"], 1000 * found["u"][:, k], "-", color=drawn.get_color(), label=f"H/10, {c}")
+    axes.set(xlabel="t [s]", ylabel="displacement of A [mm]", xlim=(0, 2), title="CSM3")
+    axes.legend(fontsize="small", ncols=2)
+    checks.save_plot(figure, "turek_csm_2d", "tip.png")
+
+
+def study():
+    for name, reference in REST.items():
+        print(name)
+        beam.study({across: at_rest(name, across)[:1] for across in (5, 10, 20)}, (reference,))
+    rows = {}
+    for across in (5, 10, 20):
+        found = swinging(across)
+        rows[across] = found["lowest"], found["frequency"]
+    beam.study(rows, (LOWEST, FREQUENCY))
+
+
+def main():
+    options = checks.arguments()
+    if options.plot:
+        plot()
+        return
+    if options.study:
+        study()
+        return
+    report = checks.Report()
+    across = 10 if options.long else 5
+    for name, reference in REST.items():
+        down, swing = at_rest(name, across)
+        limit = REST_LIMIT[across]
+        report.check(f"{name}: A sinks, less reference, of it", down / reference - 1, -limit, limit)
+        report.check(f"{name}: what is left of the swing", swing, 0, SWING_LIMIT)
+    across = 20 if options.long else 10
+    found = swinging(across)
+    limit = LOWEST_LIMIT[across]
+    report.check("csm3: lowest point of A less reference, of it", found["lowest"] / LOWEST - 1, -limit, limit)
+    limit = FREQUENCY_LIMIT[across]
+    report.check("csm3: frequency less reference, of it", found["frequency"] / FREQUENCY - 1, -limit, limit)
+    report.end()
+
+
+main()
