@@ -26,7 +26,7 @@ class SolidLoad {
     /// its last sum. `list`: the solid's neighbors in the fluid that belong to the fluid's in the
     /// solid, with distances.
     virtual void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
-                           Field<Vec<Dim>>& force) const { (void)solid; (void)list; (void)force; }
+                           Field<Vec<Dim>>& force) const = 0;
 };
 
 }  // namespace sphinx::fluid

@@ -26,8 +26,20 @@ inline void addPairs(const Pairs<Dim>& pair, const Lanes v[Dim], const float* di
     }
 }
 
+/// By how much the velocity difference of place k grows where it is continued into the wall: from
+/// the fluid particle's distance to the surface to that plus the depth of the wall particle.
+/// `nearest`: least distance of a fluid particle from the wall that is told apart.
+template <int Dim>
+inline double continuation(const Pairs<Dim>& pair, int k, double distance, const Vec<Dim>& n,
+                           double depth, double nearest) {
+    double apart = 0;  // of the two particles, across the wall's surface
+    for (int c = 0; c < Dim; ++c) apart -= n[c] * pair.gradient[c][k];
+    apart = std::abs(apart) * pair.inverse_dW[k] * distance;
+    return 1 + depth / std::max(apart - depth, nearest);
+}
+
 /// The same over the wall particles near the fluid particle i, with the velocity continued into
-/// the wall. `nearest`: least distance of a fluid particle from the wall that is told apart.
+/// the wall.
 template <ViscousForm F, int Dim, class Wall>
 inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t i,
                     const Vec<Dim>& v, double nearest, Lanes sum[Dim]) {
@@ -38,16 +50,37 @@ inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t
             const Index j = pair.index[k];
             const Vec<Dim>& vw = (*wall.velocity)[j];
             const Vec<Dim>& n = (*wall.normal)[j];
-            double apart = 0;  // of the two particles, across the wall's surface
-            for (int c = 0; c < Dim; ++c) apart -= n[c] * pair.gradient[c][k];
-            apart = std::abs(apart) * pair.inverse_dW[k] * distance[k];
-            const double depth = (*wall.depth)[j];
-            const double continued = 1 + depth / std::max(apart - depth, nearest);
+            const double continued =
+                continuation<Dim>(pair, k, distance[k], n, (*wall.depth)[j], nearest);
             for (int c = 0; c < Dim; ++c) between[c][k] = continued * (v[c] - vw[c]);
         }
         Lanes v_ij[Dim];
         for (int c = 0; c < Dim; ++c) v_ij[c] = loadLanes(between[c]);
         addPairs<F, Dim>(pair, v_ij, distance, gatherLanes(wall.volume->data(), pair.index), sum);
+        distance += lane_count;
+    });
+}
+
+/// The same for one wall particle j over the fluid particles near it.
+template <ViscousForm F, int Dim, class Wall>
+inline void addFluid(const Wall& wall, const NeighborList<Dim>& list, std::size_t j,
+                     const Field<Vec<Dim>>& velocity, const Field<double>& volume, double nearest,
+                     Lanes sum[Dim]) {
+    const float* distance = list.distancesOf(j);
+    const Vec<Dim> vw = (*wall.velocity)[j];
+    const Vec<Dim> n = (*wall.normal)[j];
+    const double depth = (*wall.depth)[j];
+    forEachPair(list, j, [&](const Pairs<Dim>& pair) {
+        double between[Dim][lane_count];
+        for (int k = 0; k < lane_count; ++k) {
+            const Vec<Dim>& v = velocity[pair.index[k]];
+            const double continued =
+                continuation<Dim>(pair, k, distance[k], n, depth, nearest);
+            for (int c = 0; c < Dim; ++c) between[c][k] = continued * (vw[c] - v[c]);
+        }
+        Lanes v_ji[Dim];
+        for (int c = 0; c < Dim; ++c) v_ji[c] = loadLanes(between[c]);
+        addPairs<F, Dim>(pair, v_ji, distance, gatherLanes(volume.data(), pair.index), sum);
         distance += lane_count;
     });
 }
@@ -65,6 +98,7 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip
       external_(body.particles.vector(fields::external_acceleration)),
       mass_(body.particles.scalar(fields::mass)),
       volume_(body.particles.scalar(fields::volume)) {
+    context.loads.push_back(this);
     for (Body<Dim>* other : body.sees) {
         if (other != &body && slip == WallSlip::free_slip) continue;
         Relation<Dim>& relation = context.relations.relation(body, *other);
@@ -72,9 +106,9 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip
         if (other == &body) {
             self_ = &relation;
         } else {
-            ParticleSet<Dim>& p = other->particles;
-            walls_.push_back({&relation, &p.vector(fields::velocity), &p.vector(fields::normal),
-                              &p.scalar(fields::depth), &p.scalar(fields::volume)});
+            const WallFields<Dim> seen(*other);
+            walls_.push_back({&relation, seen.velocity, seen.normal,
+                              &other->particles.scalar(fields::depth), seen.volume});
         }
     }
 }
@@ -150,6 +184,31 @@ Vec<Dim> ViscousForce<Dim>::forceOn(const Wall& wall, const NeighborList<Dim>& l
         [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
 }
 
+template <int Dim>
+void ViscousForce<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                                  Field<Vec<Dim>>& force) const {
+    for (const Wall& wall : walls_) {
+        if (wall.relation->to != &solid) continue;
+        if (form_ == ViscousForm::laplacian)
+            addForces<ViscousForm::laplacian>(wall, list, force);
+        else
+            addForces<ViscousForm::central>(wall, list, force);
+    }
+}
+
+template <int Dim>
+template <ViscousForm F>
+void ViscousForce<Dim>::addForces(const Wall& wall, const NeighborList<Dim>& list,
+                                  Field<Vec<Dim>>& force) const {
+    parallelFor(list.ranges.size(), [&](std::size_t j) {
+        if (list.ranges[j].count == 0) return;
+        Lanes sum[Dim] = {};
+        addFluid<F, Dim>(wall, list, j, velocity_, volume_, nearest_, sum);
+        const double scale = factor<F>() * (*wall.volume)[j];
+        for (int c = 0; c < Dim; ++c) force[j][c] += scale * sumLanes(sum[c]);
+    });
+}
+
 void declareViscousForce(input::Registry& registry) {
     using P = ViscousForceParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.viscous_force");
@@ -177,7 +236,9 @@ void declareViscousForce(input::Registry& registry) {
                "sum over pairs");
     d.action("", "")
         .reads("body", {"velocity", "mass", "volume", "neighbors"})
-        .reads("neighbors.solid", {"velocity", "normal", "depth", "volume"})
+        .reads("neighbors.solid", {"normal", "depth", "volume"})
+        .reads("neighbors.rigid", {"velocity"})
+        .reads("neighbors.elastic", {"average_velocity"})
         .accumulates("body", {"external_acceleration"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<ViscousForce<Dim>>(context, bodyOf(context, p.body), p.wall,

@@ -4,6 +4,7 @@
 
 #include "dynamics/builder.h"
 #include "dynamics/fluid/solid_load.h"
+#include "dynamics/fluid/wall_fields.h"
 #include "materials/fluid.h"
 
 namespace sphinx::fluid {
@@ -51,6 +52,8 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
     LoadKind loadKind() const override { return LoadKind::viscous; }
     Body<Dim>& fluid() const override { return *body_; }
     Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const override;
+    void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                   Field<Vec<Dim>>& force) const override;
 
    private:
     struct Wall {
@@ -64,6 +67,8 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
     void accelerate();
     template <ViscousForm F>
     Vec<Dim> forceOn(const Wall& wall, const NeighborList<Dim>& list) const;
+    template <ViscousForm F>
+    void addForces(const Wall& wall, const NeighborList<Dim>& list, Field<Vec<Dim>>& force) const;
     /// What the sums are multiplied by: with V_i a force.
     template <ViscousForm F>
     double factor() const;

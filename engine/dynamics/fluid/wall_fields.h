@@ -8,11 +8,14 @@
 namespace sphinx::fluid {
 
 /// What a fluid sees of a solid. An elastic solid makes several steps in one of the fluid: its
-/// motion is averaged over them (fsi.average_kinematics).
+/// velocity is averaged over them (fsi.average_kinematics). Its acceleration is left out of the
+/// ghost pressure: what the fluid felt of it would push the solid a step later, and a stiff plate
+/// under water (cases/hydrostatic_plate_fsi_2d) then swings up at any step. That is an error of
+/// rho a r/2 in the pressure on it, of first order in the spacing.
 template <int Dim>
 struct WallFields {
     const Field<Vec<Dim>>* velocity;
-    const Field<Vec<Dim>>* acceleration;
+    const Field<Vec<Dim>>* acceleration;  ///< null: not seen
     const Field<Vec<Dim>>* normal;
     const Field<double>* volume;
 
@@ -20,7 +23,7 @@ struct WallFields {
         const bool elastic = dynamic_cast<const ElasticSolid*>(solid.material.get());
         ParticleSet<Dim>& p = solid.particles;
         velocity = &p.vector(elastic ? fields::average_velocity : fields::velocity);
-        acceleration = &p.vector(elastic ? fields::average_acceleration : fields::acceleration);
+        acceleration = elastic ? nullptr : &p.vector(fields::acceleration);
         normal = &p.vector(fields::normal);
         volume = &p.scalar(fields::volume);
     }

@@ -33,7 +33,7 @@ struct FluidLanes {
 template <int Dim>
 struct WallLanes {
     Lanes v[Dim];
-    Lanes a[Dim];
+    Lanes a[Dim] = {};
     Lanes n[Dim];
 };
 
@@ -64,15 +64,20 @@ inline Lanes closingSpeed(const Lanes (&v)[Dim], WallLanes<Dim>& wall,
 }
 
 /// Twice the pressure p* of the one-sided Riemann problem: p_i, the pressure of the ghost
-/// p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij), and what closing in at twice the speed adds, since
-/// the ghost moves with the mirrored normal velocity.
+/// p_i + rho_i r_ij (max(0, -g_i . e_ij) + a_w . e_ij), and what closing in at twice the speed adds,
+/// since the ghost moves with the mirrored normal velocity. (The acceleration of the wall is outside
+/// of the limit at 0: within it a vibration of the wall would be rectified into a steady pressure.)
 template <Riemann R, int Dim>
 inline Lanes twiceWallPressure(const RiemannConstants& constants, const FluidLanes<Dim>& fluid,
                                WallLanes<Dim>& wall, const Lanes (&gradient)[Dim],
                                Lanes inverse_dW, Lanes r) {
-    Lanes pull = {};  // (g_i - a_w) . (-e_ij)
-    for (int c = 0; c < Dim; ++c) pull += (fluid.g[c] - wall.a[c]) * gradient[c];
-    const Lanes ghost = fluid.rho * r * maxLanes(pull * inverse_dW, Lanes{});
+    Lanes weight = {};  // g_i . (-e_ij) abs(W')
+    Lanes motion = {};  // a_w . (-e_ij) abs(W')
+    for (int c = 0; c < Dim; ++c) {
+        weight += fluid.g[c] * gradient[c];
+        motion += wall.a[c] * gradient[c];
+    }
+    const Lanes ghost = fluid.rho * r * (maxLanes(weight, Lanes{}) - motion) * inverse_dW;
     const Lanes closing = closingSpeed<Dim>(fluid.v, wall, gradient);
     return 2.0 * fluid.p + ghost + pressureJump<R>(constants, 2.0 * closing);
 }
@@ -115,7 +120,7 @@ inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Di
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
         gather<Dim>(*fields.velocity, pair.index, wall.v);
-        gather<Dim>(*fields.acceleration, pair.index, wall.a);
+        if (fields.acceleration) gather<Dim>(*fields.acceleration, pair.index, wall.a);
         gather<Dim>(*fields.normal, pair.index, wall.n);
         const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, pair.gradient,
                                                    pair.inverse_dW, loadLanes(r));
@@ -136,7 +141,7 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
     forEachPair(list, j, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
         spread<Dim>((*fields.velocity)[j], wall.v);
-        spread<Dim>((*fields.acceleration)[j], wall.a);
+        if (fields.acceleration) spread<Dim>((*fields.acceleration)[j], wall.a);
         spread<Dim>((*fields.normal)[j], wall.n);
         FluidLanes<Dim> fluid;
         const PairLanes<Dim> state = sphinx::fluid::gather(states, pair.index);

@@ -10,24 +10,26 @@ struct AverageKinematicsParameters {
     input::Name body;
 };
 
-/// Motion of an elastic body as its fluid sees it: velocity and acceleration averaged over one step
-/// of the fluid, in which the solid makes several. begin notes positions and velocities, end divides
-/// their change by the time between.
+/// Motion of an elastic body as its fluid sees it. Over one step of the fluid, in which the solid
+/// makes several: the mean velocity u, its change since the step before as acceleration, and as
+/// velocity u carried on to the end of the step, where the fluid uses it. (A fluid that sees the
+/// velocity of half a step ago is a spring that pushes late: it feeds the plate's motion.) The steps of
+/// the solid belong before the second half of the fluid's pressure relaxation.
 template <int Dim>
 class AverageKinematics final : public Method {
    public:
     explicit AverageKinematics(Body<Dim>& body);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
+    void transfer(Archive& archive) override;
 
    private:
     Body<Dim>* body_;
     Field<Vec<Dim>>& position_;
-    Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& average_velocity_;
     Field<Vec<Dim>>& average_acceleration_;
     AlignedVector<Vec<Dim>> old_position_;
-    AlignedVector<Vec<Dim>> old_velocity_;
+    double last_dt_ = 0;
 };
 
 /// Registers fsi.average_kinematics.

@@ -14,8 +14,7 @@ void declarePressureForce(input::Registry& registry) {
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that pushes it");
     d.action("", "")
-        .reads("body", {"normal", "volume", "average_velocity", "average_acceleration",
-                        "neighbors"})
+        .reads("body", {"normal", "volume", "average_velocity", "neighbors"})
         .reads("from", {"pressure", "density", "volume", "external_acceleration"})
         .writes("body", {"pressure_force"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
