@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fluid/pressure_relaxation.h"
+#include "dynamics/fluid/viscous_force.h"
+#include "dynamics/fsi/average_kinematics.h"
+#include "dynamics/fsi/fluid_force.h"
+#include "materials/saint_venant_kirchhoff.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+
+using namespace sphinx;
+using namespace sphinx::fluid;
+
+namespace {
+
+/// A block of fluid above an elastic block of half its spacing, all a little disordered and moving.
+template <int Dim>
+struct Meeting {
+    Meeting() {
+        WeaklyCompressibleFluid::Parameters water;
+        water.density = 2;
+        water.sound_speed = 10;
+        water.viscosity = 0.3;
+        fluid = add(std::make_shared<WeaklyCompressibleFluid>(water), BodyKind::fluid, 0.1, 5, 0);
+        IsotropicParameters rubber;
+        rubber.density = 3;
+        rubber.lame_lambda = 100;
+        rubber.lame_mu = 50;
+        solid = add(std::make_shared<SaintVenantKirchhoff>(rubber), BodyKind::solid, 0.05, 10, 1);
+        fluid->sees = {fluid, solid};
+        solid->sees = {fluid};
+    }
+    Body<Dim>* add(std::shared_ptr<const Material> material, BodyKind kind, double spacing, int n,
+                   int layers_below) {
+        Body<Dim>& body = *world.bodies.emplace_back(std::make_unique<Body<Dim>>());
+        body.kind = kind;
+        body.material = material;
+        body.spacing = spacing;
+        body.kernel = Kernel<Dim>(KernelType::wendland_c2, 1.3 * spacing, spacing);
+        std::vector<Vec<Dim>> points;
+        const int layers = Dim == 3 ? n : 1;
+        for (int k = 0; k < layers; ++k)
+            for (int j = 0; j < n; ++j)
+                for (int i = 0; i < n; ++i) {
+                    Vec<Dim> x = Vec<Dim>::Constant(spacing * (k + 0.5));
+                    x[0] = spacing * (i + 0.5);
+                    x[1] = spacing * (layers_below ? -(j + 0.5) : j + 0.5);
+                    for (int c = 0; c < Dim; ++c) x[c] += 0.1 * spacing * number(random);
+                    points.push_back(x);
+                }
+        ParticleSet<Dim>& p = body.particles;
+        p.append(points.size());
+        const double V = std::pow(spacing, Dim);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            p.position()[i] = points[i];
+            p.scalar(fields::volume)[i] = V;
+            p.scalar(fields::mass)[i] = material->density() * V;
+            p.scalar(fields::density)[i] = material->density() * (1 + 0.01 * number(random));
+            p.scalar(fields::depth)[i] = std::max(0.0, -points[i][1]);
+            p.vector(fields::normal)[i] = Vec<Dim>::Unit(1);
+            for (int c = 0; c < Dim; ++c) {
+                p.vector(fields::velocity)[i][c] = number(random);
+                p.vector(fields::average_velocity)[i][c] = number(random);
+            }
+        }
+        return &body;
+    }
+    Vec<Dim> momentum() const {
+        Vec<Dim> sum = Vec<Dim>::Zero();
+        for (std::size_t i = 0; i < fluid->size(); ++i)
+            sum += fluid->particles.scalar(fields::mass)[i] *
+                   fluid->particles.vector(fields::velocity)[i];
+        return sum;
+    }
+
+    std::mt19937 random{1};
+    std::uniform_real_distribution<double> number{-1, 1};
+    World<Dim> world;
+    Relations<Dim> relations{world};
+    Context<Dim> context{world, relations};
+    Body<Dim>* fluid;
+    Body<Dim>* solid;
+};
+
+template <int Dim>
+Vec<Dim> sumOf(const Field<Vec<Dim>>& values) {
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (std::size_t i = 0; i < values.size(); ++i) sum += values[i];
+    return sum;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that pressure takes from the fluid", "",
+                       ((int Dim), Dim), 2, 3) {
+    for (const Riemann riemann : {Riemann::none, Riemann::dissipative, Riemann::low_dissipation}) {
+        Meeting<Dim> meeting;
+        PressureRelaxation<Dim> pressure(meeting.context, *meeting.fluid, riemann);
+        auto& force = meeting.solid->particles.vector(fields::pressure_force);
+        fsi::FluidForce<Dim> load(meeting.context, *meeting.solid, *meeting.fluid,
+                                  LoadKind::pressure, force);
+        meeting.relations.update({meeting.fluid, meeting.solid});
+        const Vec<Dim> before = meeting.momentum();
+        const double dt = 1e-3;
+        pressure.firstHalf(dt);
+        load.run(0, {});
+        const Vec<Dim> taken = (before - meeting.momentum()) / dt;
+        CHECK(taken.norm() > 0.01);
+        CHECK((taken - sumOf<Dim>(force)).norm() < 1e-12 * taken.norm());
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that viscosity takes from the fluid", "",
+                       ((int Dim), Dim), 2, 3) {
+    for (const ViscousForm form : {ViscousForm::laplacian, ViscousForm::central}) {
+        Meeting<Dim> meeting;
+        ViscousForce<Dim> viscous(meeting.context, *meeting.fluid, WallSlip::no_slip, form);
+        auto& force = meeting.solid->particles.vector(fields::viscous_force);
+        fsi::FluidForce<Dim> load(meeting.context, *meeting.solid, *meeting.fluid,
+                                  LoadKind::viscous, force);
+        meeting.relations.update({meeting.fluid, meeting.solid});
+        viscous.run(0, {});
+        load.run(0, {});
+        Vec<Dim> given = Vec<Dim>::Zero();
+        for (std::size_t i = 0; i < meeting.fluid->size(); ++i)
+            given += meeting.fluid->particles.scalar(fields::mass)[i] *
+                     meeting.fluid->particles.vector(fields::external_acceleration)[i];
+        CHECK(given.norm() > 0.01);
+        CHECK((given + sumOf<Dim>(force)).norm() < 1e-12 * given.norm());
+    }
+}
+
+TEST_CASE("a fluid sees the velocity of an elastic body at the end of its step") {
+    Meeting<2> meeting;
+    ParticleSet<2>& p = meeting.solid->particles;
+    p.vector(fields::average_velocity).setZero();
+    fsi::AverageKinematics<2> average(*meeting.solid);
+    Clock clock;
+    clock.dt = 0.1;
+    const Vec<2> a(3, -2);
+    // Uniformly accelerated from rest, the first step excepted, in which the mean is all there is.
+    for (int step = 0; step < 3; ++step) {
+        average.run(0, clock);
+        const double begin = step * clock.dt;
+        const double end = begin + clock.dt;
+        p.position()[0] += 0.5 * a * (end * end - begin * begin);
+        average.run(1, clock);
+        if (step == 0) continue;
+        CHECK((p.vector(fields::average_acceleration)[0] - a).norm() < 1e-12);
+        CHECK((p.vector(fields::average_velocity)[0] - a * end).norm() < 1e-12);
+    }
+}
