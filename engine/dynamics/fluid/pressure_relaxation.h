@@ -29,7 +29,7 @@ struct PressureRelaxationParameters {
 ///
 /// Solid neighbors are walls of dummy particles, one-sided Riemann problem along the wall's normal n
 /// (turned towards the fluid): the ghost has the mirrored normal velocity (free slip) and the
-/// pressure p_i + rho_i r_ij (max(0, -g_i . e_ij) + a_w . e_ij).
+/// pressure p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij).
 template <int Dim>
 class PressureRelaxation final : public Method, public SolidLoad<Dim> {
    public:

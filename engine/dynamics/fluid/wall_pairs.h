@@ -64,20 +64,15 @@ inline Lanes closingSpeed(const Lanes (&v)[Dim], WallLanes<Dim>& wall,
 }
 
 /// Twice the pressure p* of the one-sided Riemann problem: p_i, the pressure of the ghost
-/// p_i + rho_i r_ij (max(0, -g_i . e_ij) + a_w . e_ij), and what closing in at twice the speed adds,
-/// since the ghost moves with the mirrored normal velocity. (The acceleration of the wall is outside
-/// of the limit at 0: within it a vibration of the wall would be rectified into a steady pressure.)
+/// p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij), and what closing in at twice the speed adds, since the
+/// ghost moves with the mirrored normal velocity.
 template <Riemann R, int Dim>
 inline Lanes twiceWallPressure(const RiemannConstants& constants, const FluidLanes<Dim>& fluid,
                                WallLanes<Dim>& wall, const Lanes (&gradient)[Dim],
                                Lanes inverse_dW, Lanes r) {
-    Lanes weight = {};  // g_i . (-e_ij) abs(W')
-    Lanes motion = {};  // a_w . (-e_ij) abs(W')
-    for (int c = 0; c < Dim; ++c) {
-        weight += fluid.g[c] * gradient[c];
-        motion += wall.a[c] * gradient[c];
-    }
-    const Lanes ghost = fluid.rho * r * (maxLanes(weight, Lanes{}) - motion) * inverse_dW;
+    Lanes pull = {};  // (g_i - a_w) . (-e_ij) abs(W')
+    for (int c = 0; c < Dim; ++c) pull += (fluid.g[c] - wall.a[c]) * gradient[c];
+    const Lanes ghost = fluid.rho * r * maxLanes(pull * inverse_dW, Lanes{});
     const Lanes closing = closingSpeed<Dim>(fluid.v, wall, gradient);
     return 2.0 * fluid.p + ghost + pressureJump<R>(constants, 2.0 * closing);
 }
