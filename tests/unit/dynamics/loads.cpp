@@ -260,6 +260,9 @@ TEST_CASE("the reaction of a body that is held is its weight") {
         stepper.step(1e-3, {&gravity}, {&fix});
         CHECK(fix.reaction()[0] == 0);
         CHECK(fix.reaction()[1] == Approx(10 * massOf(body)).epsilon(round_off));
-        CHECK(body.particles.vector(fields::velocity)[0][0] == Approx(3e-3).epsilon(round_off));
+        // Besides gravity the stresses of some twenty neighbors, which are zero but for their
+        // rounding.
+        const double rounding = 20 * 2.2e-16 * youngs_modulus / (density * spacing) * 1e-3;
+        CHECK(std::abs(body.particles.vector(fields::velocity)[0][0] - 3e-3) < rounding);
     }
 }
