@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check_loads.h"
 
-#include "case/check_particles.h"
+#include "core/place_text.h"
 #include "dynamics/constraint/prescribed_motion.h"
 #include "dynamics/force/surface_pressure.h"
 

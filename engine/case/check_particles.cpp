@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check_particles.h"
 
+#include "core/place_text.h"
 #include "neighbors/list_builder.h"
 
 #include <fmt/format.h>
@@ -90,12 +91,6 @@ void checkOverlap(const Body& source, const sphinx::Body<Dim>& a, const sphinx::
 }  // namespace
 
 template <int Dim>
-std::string placeText(const Vec<Dim>& p) {
-    return Dim == 2 ? fmt::format("({:g}, {:g})", p[0], p[1])
-                    : fmt::format("({:g}, {:g}, {:g})", p[0], p[1], p[Dim - 1]);
-}
-
-template <int Dim>
 void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
     for (const Body& source : model.bodies) {
         sphinx::Body<Dim>& body = *world.find(source.name);
@@ -142,8 +137,6 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
     }
 }
 
-template std::string placeText<2>(const Vec<2>&);
-template std::string placeText<3>(const Vec<3>&);
 template void checkLattices<2>(const Case&, input::Diagnostics&);
 template void checkLattices<3>(const Case&, input::Diagnostics&);
 template void checkParticles(const Case&, const World<2>&, input::Diagnostics&);

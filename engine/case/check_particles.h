@@ -19,8 +19,4 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics);
 template <int Dim>
 void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
 
-/// "(1, 2)", for messages.
-template <int Dim>
-std::string placeText(const Vec<Dim>& point);
-
 }  // namespace sphinx::model

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check_walls.h"
 
-#include "case/check_particles.h"
+#include "core/place_text.h"
 
 #include <fmt/format.h>
 #include <algorithm>

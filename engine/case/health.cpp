@@ -5,6 +5,7 @@
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
+#include "core/place_text.h"
 #include "materials/fluid.h"
 
 #include <fmt/format.h>
@@ -64,9 +65,7 @@ std::string Health<Dim>::lastPlace(const sphinx::Body<Dim>& body, std::int64_t i
     const auto found = std::find(last.ids.begin(), last.ids.end(), id);
     if (found == last.ids.end()) return "";
     const Vec<Dim>& position = last.positions[static_cast<std::size_t>(found - last.ids.begin())];
-    std::string place;
-    for (int k = 0; k < Dim; ++k) place += fmt::format("{}{:g}", k == 0 ? "(" : ", ", position[k]);
-    return ", last seen at " + place + "),";
+    return ", last seen at " + placeText<Dim>(position) + ",";
 }
 
 template <int Dim>

@@ -9,6 +9,15 @@
 
 namespace sphinx {
 
+/// C = F^T F, exactly symmetric.
+template <int Dim>
+Mat<Dim> rightCauchyGreen(const Mat<Dim>& F) {
+    Mat<Dim> C = F.transpose() * F;
+    for (int c = 0; c < Dim; ++c)
+        for (int d = 0; d < c; ++d) C(c, d) = C(d, c);
+    return C;
+}
+
 /// Green-Lagrange strain E = (C - I)/2, guide (3).
 template <int Dim>
 Mat<Dim> greenStrain(const Mat<Dim>& C) {

@@ -41,14 +41,6 @@ template <int Dim>
 inline void spread(const Vec<Dim>& value, Lanes (&out)[Dim]) {
     for (int c = 0; c < Dim; ++c) out[c] = lanes(value[c]);
 }
-template <int Dim>
-inline void gather(const Field<Vec<Dim>>& values, const std::uint32_t* index, Lanes (&out)[Dim]) {
-    for (int c = 0; c < Dim; ++c) {
-        const auto at = [&](int k) { return values[index[k]][c]; };
-        out[c] = Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
-    }
-}
-
 /// Turns the normals from the wall to the fluid and returns -(v_i - v_w) . n: closing in.
 /// `gradient` = e_ij W' = -abs(W') e_ij of the fluid particle, so that e_ij points to the fluid.
 template <int Dim>
@@ -97,8 +89,8 @@ inline double wallClosure(const WallFields<Dim>& fields, const NeighborList<Dim>
     Lanes sum = {};
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
-        gather<Dim>(*fields.velocity, pair.index, wall.v);
-        gather<Dim>(*fields.normal, pair.index, wall.n);
+        gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
+        gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
         const Lanes closing = closingSpeed<Dim>(v, wall, pair.gradient);
         sum += closing * dot<Dim>(wall.n, pair.gradient) *
                gatherLanes(fields.volume->data(), pair.index);
@@ -114,9 +106,9 @@ inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Di
     const float* r = list.distancesOf(i);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
-        gather<Dim>(*fields.velocity, pair.index, wall.v);
-        if (fields.acceleration) gather<Dim>(*fields.acceleration, pair.index, wall.a);
-        gather<Dim>(*fields.normal, pair.index, wall.n);
+        gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
+        if (fields.acceleration) gatherVectors<Dim>(fields.acceleration->data(), pair.index, wall.a);
+        gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
         const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, pair.gradient,
                                                    pair.inverse_dW, loadLanes(r));
         const Lanes f = p2 * gatherLanes(fields.volume->data(), pair.index);
@@ -139,10 +131,10 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         if (fields.acceleration) spread<Dim>((*fields.acceleration)[j], wall.a);
         spread<Dim>((*fields.normal)[j], wall.n);
         FluidLanes<Dim> fluid;
-        const PairLanes<Dim> state = sphinx::fluid::gather(states, pair.index);
+        const PairLanes<Dim> state = gather(states, pair.index);
         for (int c = 0; c < Dim; ++c) fluid.v[c] = state.v[c];
         fluid.p = state.p;
-        gather<Dim>(external, pair.index, fluid.g);
+        gatherVectors<Dim>(external.data(), pair.index, fluid.g);
         fluid.rho = gatherLanes(density.data(), pair.index);
         Lanes gradient[Dim];
         for (int c = 0; c < Dim; ++c) gradient[c] = -pair.gradient[c];

@@ -5,6 +5,7 @@
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
+#include "core/place_text.h"
 
 #include <fmt/format.h>
 
@@ -51,8 +52,7 @@ void Update<Dim>::keepInside(Body<Dim>& body, const Clock& clock) {
         if (!outside(i)) continue;
         const Vec<Dim>& x = position[i];
         const auto id = body.particles.id()[i];
-        const std::string place = Dim == 2 ? fmt::format("({:g}, {:g})", x[0], x[1])
-                                           : fmt::format("({:g}, {:g}, {:g})", x[0], x[1], x[Dim - 1]);
+        const std::string place = placeText<Dim>(x);
         if (!x.allFinite())
             throw PhysicsError(fmt::format("position of particle {} of {} is {} at time {:g}", id,
                                            body.name, place, clock.time));

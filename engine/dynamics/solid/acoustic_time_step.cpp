@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "dynamics/solid/fibres.h"
 #include "materials/elastic.h"
+#include "materials/strain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +41,7 @@ double AcousticTimeStep<Dim>::estimate() {
                 Largest most;
                 for (std::size_t i = begin; i < end; ++i) {
                     const Mat<Dim>& F = gradient_[i];
-                    Mat<Dim> C = F.transpose() * F;
-                    for (int c = 0; c < Dim; ++c)
-                        for (int d = 0; d < c; ++d) C(c, d) = C(d, c);
+                    const Mat<Dim> C = rightCauchyGreen<Dim>(F);
                     const double modulus = law.template tangentModulus<Dim>(C, fibres[i]);
                     most.modulus = std::max(most.modulus, modulus);
                     most.speed2 = std::max(most.speed2, velocity_[i].squaredNorm());

@@ -4,9 +4,11 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
+#include "core/place_text.h"
 #include "dynamics/solid/fibres.h"
 #include "dynamics/solid/reference_loop.h"
 #include "materials/elastic.h"
+#include "materials/strain.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -125,9 +127,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock) {
                 inverted.at(i);
                 continue;
             }
-            Mat<Dim> C = F.transpose() * F;
-            for (int c = 0; c < Dim; ++c)
-                for (int d = 0; d < c; ++d) C(c, d) = C(d, c);
+            const Mat<Dim> C = rightCauchyGreen<Dim>(F);
             if (!law.template admissible<Dim>(C)) {
                 beyond.at(i);
                 continue;
@@ -192,12 +192,9 @@ Vec<Dim> Deformation<Dim>::stressDivergence(std::size_t i) const {
 
 template <int Dim>
 void Deformation<Dim>::fail(std::size_t i, const std::string& what, const Clock& clock) const {
-    std::string place;
-    for (int k = 0; k < Dim; ++k)
-        place += fmt::format("{}{:g}", k == 0 ? "(" : ", ", position_[i][k]);
-    throw PhysicsError(fmt::format("particle {} of {} at {}) {}, time {:g}",
-                                   body_->particles.id()[i], body_->name, place, what,
-                                   clock.time));
+    throw PhysicsError(fmt::format("particle {} of {} at {} {}, time {:g}",
+                                   body_->particles.id()[i], body_->name,
+                                   placeText<Dim>(position_[i]), what, clock.time));
 }
 
 template class Deformation<2>;

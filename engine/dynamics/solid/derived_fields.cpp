@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "dynamics/solid/fibres.h"
 #include "materials/elastic.h"
+#include "materials/strain.h"
 
 #include <Eigen/LU>
 #include <array>
@@ -16,12 +17,6 @@ namespace {
 constexpr std::array derived{&fields::displacement,           &fields::green_lagrange_strain,
                              &fields::piola_kirchhoff_stress, &fields::cauchy_stress,
                              &fields::von_mises_stress,       &fields::strain_energy_density};
-
-template <int Dim>
-Mat<Dim> rightCauchyGreen(const Mat<Dim>& F) {
-    const Mat<Dim> C = F.transpose() * F;
-    return 0.5 * (C + C.transpose());
-}
 
 /// In space: a body in 2D does not change across the plane.
 template <int Dim>
@@ -65,7 +60,7 @@ void derive(Body<Dim>& body, const FieldInfo& field) {
     if (&field == &fields::green_lagrange_strain) {
         auto& E = p.matrix(field);
         parallelFor(n, [&](std::size_t i) {
-            E[i] = 0.5 * (rightCauchyGreen<Dim>(gradient[i]) - Mat<Dim>::Identity());
+            E[i] = greenStrain<Dim>(rightCauchyGreen<Dim>(gradient[i]));
         });
         return;
     }

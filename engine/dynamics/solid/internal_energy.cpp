@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "dynamics/solid/fibres.h"
 #include "materials/elastic.h"
+#include "materials/strain.h"
 
 namespace sphinx::solid {
 namespace {
@@ -41,9 +42,8 @@ double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
         dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
             const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
             return parallelSum(body.size(), [&](std::size_t i) {
-                const Mat<Dim> C = gradient[i].transpose() * gradient[i];
                 return volume[i] *
-                       law.template energy<Dim>(0.5 * (C + C.transpose()), fibres[i]);
+                       law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
             });
         });
     if (body.hourglass_modulus == 0) return elastic;

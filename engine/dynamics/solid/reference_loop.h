@@ -2,22 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/lanes.h"
+#include "dynamics/pair_loop.h"
 #include "neighbors/relations.h"
 
 // Sums over neighbors in the reference configuration, eight at a time.
 // gradient = e_ij W'_ij V_j, 1/length; unused places have a zero gradient.
 namespace sphinx::solid {
-
-/// Components of eight vectors.
-template <int Dim>
-inline void gather(const Vec<Dim>* values, const std::uint32_t* index, Lanes out[Dim]) {
-    for (int c = 0; c < Dim; ++c) {
-        const auto component = [&](int k) { return values[index[k]][c]; };
-        out[c] = Lanes{component(0), component(1), component(2), component(3),
-                       component(4), component(5), component(6), component(7)};
-    }
-}
 
 /// Adds sum_j a_j (x) g_j over the neighbors of i to `sum`, a of eight particles at a time.
 template <int Dim>
@@ -25,7 +15,7 @@ inline void addOuter(const NeighborList<Dim, double>& list, std::size_t i, const
                      Lanes sum[Dim][Dim]) {
     for (const auto& block : list.of(i)) {
         Lanes a[Dim];
-        gather<Dim>(values, block.index, a);
+        gatherVectors<Dim>(values, block.index, a);
         for (int d = 0; d < Dim; ++d) {
             const Lanes g = loadLanes(block.gradient[d]);
             for (int c = 0; c < Dim; ++c) sum[c][d] += a[c] * g;
@@ -40,7 +30,7 @@ inline void addWeighted(const NeighborList<Dim, double>& list, const double* wei
     const double* weight = weights + list.ranges[i].first * lane_count;
     for (const auto& block : list.of(i)) {
         Lanes a[Dim];
-        gather<Dim>(values, block.index, a);
+        gatherVectors<Dim>(values, block.index, a);
         const Lanes k = loadLanes(weight);
         for (int c = 0; c < Dim; ++c) sum[c] += k * a[c];
         weight += lane_count;

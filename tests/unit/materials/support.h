@@ -3,6 +3,7 @@
 #pragma once
 
 #include "materials/elastic.h"
+#include "materials/strain.h"
 
 #include <Eigen/Geometry>
 #include <memory>
@@ -81,13 +82,6 @@ double energy(const ElasticSolid& solid, const Mat<Dim>& C, const Fibres<Dim>& d
 template <int Dim>
 double tangentModulus(const ElasticSolid& solid, const Mat<Dim>& C, const Fibres<Dim>& d) {
     return withLaw(solid, [&](const auto& law) { return law.template tangentModulus<Dim>(C, d); });
-}
-
-/// C = F^T F, exactly symmetric.
-template <int Dim>
-Mat<Dim> rightCauchyGreen(const Mat<Dim>& F) {
-    const Mat<Dim> C = F.transpose() * F;
-    return (C + C.transpose()) / 2;
 }
 
 /// Numbers of a test, the same in each run.
