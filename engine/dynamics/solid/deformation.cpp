@@ -109,9 +109,9 @@ void Deformation<Dim>::initialize() {
 
 template <int Dim>
 template <class Law>
-void Deformation<Dim>::stress(const Law& law, const Clock& clock) {
+void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) {
     const double half = 0.5 * clock.dt;
-    const double eta = solid_->damping();
+    const double eta = damping ? solid_->damping() : 0;
     const double control = body_->hourglass_modulus;
     const double rho0 = solid_->density();
     const ParticleFibres<Dim> fibres(*body_, Law::uses_fibres);
@@ -155,9 +155,9 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock) {
 }
 
 template <int Dim>
-void Deformation<Dim>::firstHalf(const Clock& clock) {
+void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
     prepare();
-    withLaw(*solid_, [&](const auto& law) { stress(law, clock); });
+    withLaw(*solid_, [&](const auto& law) { stress(law, clock, damping); });
 }
 
 template <int Dim>

@@ -34,8 +34,8 @@ class Deformation {
     void initialize();
     /// F += dt/2 dF/dt; then the stress P = F S of the law and of the damping (16), kept as
     /// T = P B^T, and the density rho0 / det F, (4). PhysicsError where det F is not above 0 or the
-    /// law has no stress.
-    void firstHalf(const Clock& clock);
+    /// law has no stress. `damping`: whether that of the material acts.
+    void firstHalf(const Clock& clock, bool damping = true);
     /// dF/dt = (-sum_j v_ij (x) g_ij) B_i, then F += dt/2 dF/dt.
     void secondHalf(double dt);
     /// sum_j (T_i + T_j) g_ij = div P at particle i, force/volume; guide (31) in the form that is
@@ -54,7 +54,7 @@ class Deformation {
     /// -sum_j (a_i - a_j) (x) g_ij
     Mat<Dim> difference(std::size_t i, const Vec<Dim>& own, NeighborField values) const;
     template <class Law>
-    void stress(const Law& law, const Clock& clock);
+    void stress(const Law& law, const Clock& clock, bool damping);
     [[noreturn]] void fail(std::size_t i, const std::string& what, const Clock& clock) const;
 
     Relations<Dim>* relations_;

@@ -8,9 +8,10 @@ namespace sphinx::solid {
 
 template <int Dim>
 StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, Body<Dim>& body,
-                                        bool hourglass_control)
+                                        bool hourglass_control, bool damping)
     : body_(&body),
       deformation_(context, body, hourglass_control),
+      damping_(damping),
       position_(body.particles.position()),
       velocity_(body.particles.vector(fields::velocity)),
       acceleration_(body.particles.vector(fields::acceleration)),
@@ -32,7 +33,7 @@ template <int Dim>
 void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
     const double dt = clock.dt;
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
-    deformation_.firstHalf(clock);
+    deformation_.firstHalf(clock, damping_);
     parallelFor(body_->size(), [&](std::size_t i) {
         const Vec<Dim> force = volume_[i] * deformation_.stressDivergence(i) +
                                pressure_force_[i] + viscous_force_[i];
@@ -62,6 +63,9 @@ void declareStressRelaxation(input::Registry& registry) {
     d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
                "whether neighbors are also held by what the deformation gradient does not see of "
                "their motion; in all bonded bodies alike");
+    d.optional("damping", &P::damping, input::boolean(),
+               "whether the Kelvin-Voigt damping of the material acts; two methods, one with and one "
+               "without, can share the time of a run");
     d.action("first_half", "deformation, stress and position to the half step; velocity by a whole "
                            "step")
         .reads("body", {"initial_position", "position", "velocity", "mass", "volume",
@@ -74,7 +78,7 @@ void declareStressRelaxation(input::Registry& registry) {
         .writes("body", {"deformation_rate", "deformation_gradient", "position"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<StressRelaxation<Dim>>(context, bodyOf(context, p.body),
-                                                       p.hourglass_control);
+                                                       p.hourglass_control, p.damping);
     }));
 }
 

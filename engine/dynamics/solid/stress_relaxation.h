@@ -10,6 +10,7 @@ namespace sphinx::solid {
 struct StressRelaxationParameters {
     input::Name body;
     bool hourglass_control = true;
+    bool damping = true;
 };
 
 /// Elastic step of a total-Lagrangian solid, guide (5), as drift-kick-drift:
@@ -21,7 +22,7 @@ struct StressRelaxationParameters {
 template <int Dim>
 class StressRelaxation final : public Method {
    public:
-    StressRelaxation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
+    StressRelaxation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control, bool damping);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
@@ -31,6 +32,7 @@ class StressRelaxation final : public Method {
    private:
     Body<Dim>* body_;
     Deformation<Dim> deformation_;
+    bool damping_;
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& acceleration_;

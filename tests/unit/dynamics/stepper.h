@@ -17,7 +17,7 @@ struct Stepper {
     Clock clock;
 
     Stepper(Context<Dim>& context, Body<Dim>& stepped)
-        : body(stepped), correction(context, stepped), relaxation(context, stepped, true) {
+        : body(stepped), correction(context, stepped), relaxation(context, stepped, true, true) {
         start();
     }
     void start() { correction.run(0, clock); }
