@@ -7,6 +7,7 @@
 #include "case/model.h"
 #include "case/shapes.h"
 #include "input/registry.h"
+#include "loop/window.h"
 
 namespace sphinx::model {
 
@@ -54,13 +55,15 @@ struct LayerBlock;
 /// What a line of the loop that is more than a name says.
 struct RunBlock {
     Name run;
-    Every every;
+    std::optional<Every> every;
+    std::optional<double> from, until;
 };
 
 /// A line of the loop.
 struct StepBlock {
     Name run;  ///< METHOD or METHOD.ACTION
     std::optional<Every> every;
+    loop::Window window;
     std::shared_ptr<LayerBlock> layer;
 };
 

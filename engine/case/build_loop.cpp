@@ -24,7 +24,7 @@ loop::Call makeCall(const Step& step, Method* method) {
     const std::string label =
         step.action.empty() ? step.method.text : step.method.text + "." + step.action;
     return {label, method, step.action_index,
-            step.every ? triggerOf(*step.every) : std::optional<loop::Trigger>{}};
+            step.every ? triggerOf(*step.every) : std::optional<loop::Trigger>{}, step.window};
 }
 
 template <int Dim>
@@ -44,6 +44,7 @@ loop::Layer makeLayer(const Layer& source, const loop::LayerFacts& facts, World<
             layer.steps.push_back({loop::Call{"zero " + z.field + " of " + z.body,
                                               methods.zero(*world.find(z.body), z.field),
                                               0,
+                                              {},
                                               {}}});
         }
         const Step& step = source.steps[k];

@@ -62,7 +62,9 @@ void printLayer(const loop::LayerFacts& layer, const Layer& source, int depth, s
             continue;
         }
         const auto& line = std::get<loop::LineFacts>(value);
-        out += fmt::format("{}  {}{}\n", indent, line.label, line.sometimes ? " (sometimes)" : "");
+        out += fmt::format("{}  {}{}", indent, line.label, line.sometimes ? " (sometimes)" : "");
+        if (line.window.limited()) out += fmt::format(" ({})", describe(line.window));
+        out += '\n';
     }
 }
 

@@ -178,7 +178,21 @@ void declareLoop(Registry& registry) {
         auto& d = registry.declare<P>(Kind::block, "run");
         d.summary("A line of the loop that does not act in every step");
         d.required("run", &P::run, actionReference(), "METHOD or METHOD.ACTION");
-        d.required("every", &P::every, every(registry), "how often");
+        d.optional("every", &P::every, every(registry), "how often; without: in every step");
+        d.optional("from", &P::from, number(unit::time),
+                   "it acts in the steps of its layer that begin at this time or later");
+        d.optional("until", &P::until, number(unit::time),
+                   "it acts in the steps of its layer that begin before this time");
+        d.check("", [](const P& p) -> std::string {
+            return p.every || p.from || p.until
+                       ? ""
+                       : "a line with 'run' needs at least one of every, from and until";
+        });
+        d.check("until", [](const P& p) -> std::string {
+            return !p.from || !p.until || *p.until > *p.from
+                       ? ""
+                       : fmt::format("until is {} but must be above from, {}", *p.until, *p.from);
+        });
     }
     const auto fit = choice<Fit>(
         {{"split", Fit::split, "equal substeps, none above the estimate"},

@@ -29,6 +29,7 @@ class FactsMaker {
                     {body.name, contact.body.text, contact.bonded || (elastic && own)});
             }
         }
+        facts.start_time = model_.loop.start_time;
         for (const Step& step : model_.loop.start) facts.start.push_back(line(step));
         facts.outermost = layer(model_.loop.layer);
         return std::move(result_);
@@ -47,6 +48,7 @@ class FactsMaker {
         facts.label = step.action.empty() ? method.name : method.name + "." + step.action;
         facts.accesses = resolveAccesses(model_, method, step.action_index);
         facts.sometimes = step.every.has_value();
+        facts.window = step.window;
         if (method.declaration->hasTrait("permutes"))
             for (const FieldAccess& access : facts.accesses)
                 if (std::find(facts.permutes.begin(), facts.permutes.end(), access.body) ==

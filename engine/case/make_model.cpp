@@ -92,6 +92,7 @@ class LoopMaker {
             step.method = {method, block.run.place};
             step.action = action;
             step.every = block.every;
+            step.window = block.window;
             for (const Component& component : methods_)
                 if (component.name == method)
                     step.action_index = component.declaration->actionIndex(action);

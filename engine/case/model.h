@@ -7,6 +7,7 @@
 #include "geometry/shape.h"
 #include "input/component.h"
 #include "input/units.h"
+#include "loop/window.h"
 
 #include <map>
 #include <optional>
@@ -117,6 +118,7 @@ struct Step {
     std::string action;    ///< empty for the only action of a method
     int action_index = 0;  ///< in the method's declaration
     std::optional<Every> every;
+    loop::Window window;
     std::shared_ptr<const Layer> layer;  ///< set: a nested layer, the rest is empty
 };
 

@@ -19,7 +19,7 @@ void collectWrites(const loop::LayerFacts& layer, FieldsOfBodies& always,
                    FieldsOfBodies& sometimes) {
     for (const loop::StepFacts& step : layer.steps) {
         if (const auto* line = std::get_if<loop::LineFacts>(&step.value))
-            collectWrites(*line, line->sometimes ? sometimes : always);
+            collectWrites(*line, line->inEverySubstep() ? always : sometimes);
         else
             collectWrites(std::get<loop::LayerFacts>(step.value), always, sometimes);
     }

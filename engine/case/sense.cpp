@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/phases.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <set>
 
@@ -29,9 +30,15 @@ class SenseCheck {
         checkTopology();
         checkLayer(block_.loop);
         checkSteps(block_.loop.start, "start");
-        for (const StepBlock& step : block_.loop.start)
+        for (const StepBlock& step : block_.loop.start) {
             if (step.every)
                 diagnostics_.error(step.run.place, "start happens once: 'every' has no meaning");
+            if (step.window.limited())
+                diagnostics_.error(
+                    step.run.place,
+                    std::string("start happens once: '") +
+                        (step.window.from ? "from" : "until") + "' has no meaning");
+        }
     }
 
  private:
@@ -139,7 +146,22 @@ class SenseCheck {
                                "the layer '" + layer.layer.text + "' has no steps");
         checkSteps(layer.steps, "");
         for (const StepBlock& step : layer.steps)
-            if (step.layer) checkLayer(*step.layer);
+            if (step.layer)
+                checkLayer(*step.layer);
+            else
+                checkWindow(step);
+    }
+    void checkWindow(const StepBlock& step) {
+        const double start = block_.loop.start_time;
+        if (step.window.from && *step.window.from < start)
+            diagnostics_.error(step.run.place,
+                               fmt::format("from is {} but must be at least start_time, {}",
+                                           *step.window.from, start));
+        if (step.window.until && *step.window.until <= start)
+            diagnostics_.error(step.run.place,
+                               fmt::format("until is {} but must be above start_time, {}: {} would "
+                                           "never act",
+                                           *step.window.until, start, step.run.text));
     }
     void checkSteps(const std::vector<StepBlock>& steps, const std::string& where) {
         for (const StepBlock& step : steps) {

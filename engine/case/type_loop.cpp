@@ -132,18 +132,19 @@ class StepType final : public TypeBase {
             if (!readParameters(node, node.place, reader, {{block("run"), &run}})) return false;
             step.run = run.run;
             step.every = run.every;
+            step.window = {run.from, run.until};
             return true;
         }
         return reader.error(node, reader.label + " is " + describeNode(node) +
                                       " but must be METHOD, METHOD.ACTION, {run: METHOD, "
-                                      "every: ...} or {layer: NAME, dt: ..., steps: [...]}");
+                                      "every: ..., from: ..., until: ...} or {layer: NAME, dt: ..., steps: [...]}");
     }
     Node write(const void* value, const Node* source) const override {
         const auto& step = *static_cast<const StepBlock*>(value);
         const Place place = source ? source->place : Place{};
         if (step.layer) return writeStructure(*registryBlock("layer"), step.layer.get(), source);
-        if (!step.every) return Node::plain(step.run.text).at(place);
-        const RunBlock run{step.run, *step.every};
+        if (!step.every && !step.window.limited()) return Node::plain(step.run.text).at(place);
+        const RunBlock run{step.run, step.every, step.window.from, step.window.until};
         return writeStructure(*registryBlock("run"), &run, source);
     }
     Node schema(SchemaBuilder& builder) const override {
@@ -167,7 +168,7 @@ class StepType final : public TypeBase {
         });
     }
     std::string text() const override {
-        return "METHOD | METHOD.ACTION | {run: METHOD, every: ...} | a nested layer, see 'layer'";
+        return "METHOD | METHOD.ACTION | {run: METHOD, every: ..., from: T, until: T} | a nested layer, see 'layer'";
     }
 
     explicit StepType(const Registry& registry) : registry_(registry) {}

@@ -14,6 +14,7 @@
 #include "dynamics/force/point_force.h"
 #include "dynamics/force/spring.h"
 #include "dynamics/force/surface_pressure.h"
+#include "dynamics/force/velocity_damping.h"
 #include "dynamics/geometry/normals_from_shape.h"
 #include "dynamics/neighbors/update.h"
 #include "dynamics/particles/sort.h"
@@ -41,6 +42,7 @@ void registerDynamics(input::Registry& registry) {
     force::declarePointForce(registry);
     force::declareSpring(registry);
     force::declareSurfacePressure(registry);
+    force::declareVelocityDamping(registry);
     fsi::declareAverageKinematics(registry);
     fsi::declarePressureForce(registry);
     fsi::declareViscousForce(registry);

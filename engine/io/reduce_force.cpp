@@ -42,9 +42,12 @@ void ForceSource<Dim>::sample(const Clock&, std::span<double> row) {
     Vec<Dim> viscous = Vec<Dim>::Zero();
     for (FluidLoads& fluid : fluids_) {
         relations_->update(fluid.relation);
-        for (const fluid::SolidLoad<Dim>* load : fluid.loads)
-            (load->loadKind() == fluid::LoadKind::pressure ? pressure : viscous) +=
-                load->forceOn(*solid_, fluid.relation.list);
+        const auto add = [&](fluid::LoadKind kind, Vec<Dim>& sum) {
+            if (const auto* load = fluid::presentLoad(fluid.loads, *fluid.relation.from, kind))
+                sum += load->forceOn(*solid_, fluid.relation.list);
+        };
+        add(fluid::LoadKind::pressure, pressure);
+        add(fluid::LoadKind::viscous, viscous);
     }
     for (int k = 0; k < Dim; ++k) {
         row[k] = pressure[k];

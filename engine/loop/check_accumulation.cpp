@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <utility>
 
 namespace sphinx::loop {
@@ -43,14 +44,18 @@ const LineFacts* firstAccumulator(const Flow& flow, const FieldKey& key) {
     return nullptr;
 }
 
-void checkUse(const Flow& flow, std::size_t node, const FieldKey& key, std::vector<Issue>& issues) {
-    const LineFacts& line = *flow.nodes()[node].line;
+void checkUse(const Flow& flow, const LineFacts& line, const FieldKey& key,
+              std::vector<Issue>& issues) {
+    // A reader in one of the times of the loop is enough.
+    std::vector<std::size_t> after;
+    for (const FlowNode& node : flow.nodes())
+        if (node.line == &line) after.insert(after.end(), node.next.begin(), node.next.end());
     const auto read = [&](const FlowNode& other) { return reads(other, key); };
     const auto zeroed = [&](const FlowNode& other) {
         return other.kind == FlowNode::Kind::zero && other.zeroed == key;
     };
-    if (flow.find(flow.successors(node), read, zeroed)) return;
-    const auto zero = flow.find(flow.successors(node), zeroed, zeroed);
+    if (flow.find(after, read, zeroed)) return;
+    const auto zero = flow.find(after, zeroed, zeroed);
     const std::string until =
         zero ? fmt::format(" before layer {} zeroes it again", flow.nodes()[*zero].layer->name)
              : "";
@@ -63,14 +68,15 @@ void checkUse(const Flow& flow, std::size_t node, const FieldKey& key, std::vect
 
 void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues) {
     checkNesting(facts.outermost, {}, issues);
+    std::set<const LineFacts*> seen;
     for (std::size_t k = 0; k < flow.nodes().size(); ++k) {
         const LineFacts* line = flow.nodes()[k].line;
-        if (!line) continue;
+        if (!line || !seen.insert(line).second) continue;
         for (const FieldAccess& access : line->accesses) {
             const FieldKey key{access.body, access.field};
             if (access.mode == AccessMode::write) {
                 const LineFacts* adding = firstAccumulator(flow, key);
-                if (adding && adding != line && k > flow.loopBegin())
+                if (adding && adding != line && k > flow.loopBegins().front())
                     issues.push_back(
                         {Severity::error, line->id,
                          fmt::format("{} sets {} of {}, which {} adds to and its layer zeroes: "
@@ -84,7 +90,7 @@ void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Iss
                      fmt::format("{} adds to {} of {} only in some steps, while its layer zeroes "
                                  "it in all of them",
                                  line->label, key.second, key.first)});
-            checkUse(flow, k, key, issues);
+            checkUse(flow, *line, key, issues);
         }
     }
 }

@@ -30,13 +30,17 @@ bool intersect(Defined& into, const Defined& from) {
 std::string message(const Flow& flow, const LineFacts& reader, const FieldKey& key) {
     const LineFacts* always = nullptr;
     const LineFacts* sometimes = nullptr;
+    const LineFacts* limited = nullptr;  // to a window
     const LineFacts* updates = nullptr;  // needs a value itself
     for (const FlowNode& node : flow.nodes()) {
         if (!node.line || node.line == &reader) continue;
         const bool writes = has(*node.line, AccessMode::write, key);
         if (!writes && !has(*node.line, AccessMode::accumulate, key)) continue;
         const bool reads = writes && has(*node.line, AccessMode::read, key);
-        const LineFacts*& writer = reads ? updates : node.line->sometimes ? sometimes : always;
+        const LineFacts*& writer = reads                          ? updates
+                                   : node.line->sometimes        ? sometimes
+                                   : node.line->window.limited() ? limited
+                                                                 : always;
         if (!writer) writer = node.line;
     }
     const std::string what = fmt::format("{} of {}", key.second, key.first);
@@ -46,6 +50,10 @@ std::string message(const Flow& flow, const LineFacts& reader, const FieldKey& k
     if (sometimes)
         return fmt::format("{} reads {}, which {} writes only in some steps: call {} in start too",
                            reader.label, what, sometimes->label, sometimes->label);
+    if (limited)
+        return fmt::format("{} reads {}, which {} writes only at times {}: let it be written in the other "
+                           "steps before it is read, or in start",
+                           reader.label, what, limited->label, describe(limited->window));
     if (updates)
         return fmt::format("{} reads {}, which {} only updates: call a method that computes it "
                            "first",

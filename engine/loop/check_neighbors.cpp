@@ -57,7 +57,7 @@ class NeighborCheck {
             solveForward(flow_, States(lists_.size()), transfer, meet);
         for (std::size_t k = 0; k < flow_.nodes().size(); ++k)
             if (flow_.nodes()[k].line) judge(*flow_.nodes()[k].line, before[k]);
-        judgeRestart(before[flow_.loopEnd()]);
+        for (const std::size_t end : flow_.loopEnds()) judgeRestart(end, before[end]);
     }
 
  private:
@@ -113,24 +113,25 @@ class NeighborCheck {
     }
 
     void findNeverRebuilt() {
-        const auto& nodes = flow_.nodes();
-        const auto loop = nodes.begin() + static_cast<std::ptrdiff_t>(flow_.loopBegin());
-        for (const ListFacts& list : lists_) {
-            if (list.reference_configuration) continue;
-            const bool rebuilt = std::any_of(loop, nodes.end(), [&](const FlowNode& node) {
-                return node.line && rebuilds(*node.line, list);
-            });
-            if (rebuilt) continue;
-            const auto mover = std::find_if(loop, nodes.end(), [&](const FlowNode& node) {
-                return node.line && moved(*node.line, list);
-            });
-            if (mover == nodes.end()) continue;
-            const std::string& body = *moved(*mover->line, list);
-            report(*mover->line, list.owner,
-                   fmt::format("{} moves {}, but no line of the loop updates the neighbors of {}: "
-                               "{} after it",
-                               mover->line->label, body, list.owner, remedy(list)));
+        for (std::size_t epoch = 0; epoch < flow_.epochs(); ++epoch)
+            for (const ListFacts& list : lists_)
+                if (!list.reference_configuration) findNeverRebuilt(list, epoch);
+    }
+
+    void findNeverRebuilt(const ListFacts& list, std::size_t epoch) {
+        const LineFacts* mover = nullptr;
+        for (std::size_t k = flow_.loopBegins().front(); k < flow_.nodes().size(); ++k) {
+            const FlowNode& node = flow_.nodes()[k];
+            if (!node.line || node.epoch != epoch) continue;
+            if (rebuilds(*node.line, list)) return;
+            if (!mover && moved(*node.line, list)) mover = node.line;
         }
+        if (!mover) return;
+        report(*mover, list.owner,
+               fmt::format("{} moves {}, but{} no line of the loop updates the neighbors of {}: {} "
+                           "after it",
+                           mover->label, *moved(*mover, list), flow_.epochText(epoch), list.owner,
+                           remedy(list)));
     }
 
     void judge(const LineFacts& line, const States& states) {
@@ -161,12 +162,12 @@ class NeighborCheck {
 
     /// A restart rebuilds lists from the positions at the end of a step. Lists that are older
     /// than these positions and still used in the next step cannot come back.
-    void judgeRestart(const States& at_end) {
+    void judgeRestart(std::size_t end, const States& at_end) {
         for (std::size_t k = 0; k < lists_.size(); ++k) {
             const ListFacts& list = lists_[k];
             if (at_end[k].level != Level::stale) continue;
             const auto user = flow_.find(
-                {flow_.loopBegin()},
+                flow_.nodes()[end].next,
                 [&](const FlowNode& node) {
                     return node.line && needs(*node.line, list, pseudo_field::neighbors);
                 },

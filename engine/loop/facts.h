@@ -4,6 +4,7 @@
 
 #include "dynamics/dynamics.h"
 #include "loop/fit.h"
+#include "loop/window.h"
 
 #include <string>
 #include <variant>
@@ -22,6 +23,9 @@ struct LineFacts {
     std::vector<FieldAccess> accesses;
     std::vector<std::string> permutes;  ///< bodies whose particles it reorders
     bool sometimes = false;             ///< under `every:`
+    Window window = {};                 ///< of a line of the loop
+
+    bool inEverySubstep() const { return !sometimes && !window.limited(); }
 };
 
 struct StepFacts;
@@ -57,6 +61,7 @@ struct ListFacts {
 struct LoopFacts {
     std::vector<BodyFacts> bodies;
     std::vector<ListFacts> lists;
+    double start_time = 0;
     std::vector<LineFacts> start;
     LayerFacts outermost;
     std::vector<LineFacts> outputs;  ///< read after outermost steps, not in all of them

@@ -24,21 +24,28 @@ struct FlowNode {
     const LineFacts* line = nullptr;    ///< line
     const LayerFacts* layer = nullptr;  ///< layer_begin, layer_end, zero
     FieldKey zeroed;                    ///< zero
-    std::size_t begin = 0;              ///< layer_end: index of its layer_begin
+    std::size_t epoch = 0;              ///< that of its layer's substep
+    std::vector<std::size_t> next;      ///< nodes that may follow
 };
 
 /// The loop as a program: start lines, then the outermost layer (each layer runs at least once, its
 /// estimates first; accumulated fields are zeroed before their first accumulator), the outputs at
 /// the end of an outermost step, and back. Refers to the facts.
+///
+/// The windows of lines divide time into epochs, in each of which a line acts always or never. The
+/// program has every layer that windows concern once for each epoch in which its substep may begin:
+/// an inner one can be ahead of its parent, none goes back, and a step may leave epochs out.
 class Flow {
  public:
     explicit Flow(const LoopFacts& facts);
 
     const std::vector<FlowNode>& nodes() const { return nodes_; }
-    std::size_t loopBegin() const { return loop_begin_; }
-    /// Where an outermost step ends, outputs included.
-    std::size_t loopEnd() const { return nodes_.size() - 1; }
-    std::vector<std::size_t> successors(std::size_t node) const;
+    /// Where outermost steps begin and, outputs included, end: one node for each epoch.
+    const std::vector<std::size_t>& loopBegins() const { return loop_begins_; }
+    const std::vector<std::size_t>& loopEnds() const { return loop_ends_; }
+    std::size_t epochs() const { return window_edges_.size() + 1; }
+    /// " at times from 0.4 until 0.5"; empty when there is only one epoch.
+    std::string epochText(std::size_t epoch) const;
 
     /// Walks on from `from` (included) on all paths that no `stops` node cuts; returns the first
     /// node found that `wanted` accepts. A node is looked at before it stops.
@@ -47,11 +54,18 @@ class Flow {
                                     const Predicate& stops) const;
 
  private:
-    void add(const LayerFacts& layer, const std::vector<LineFacts>* outputs);
-    void add(const LineFacts& line);
+    void collectWindows(const LayerFacts& layer);
+    bool acts(const LineFacts& line, std::size_t epoch) const;
+    void add(const LayerFacts& layer, std::size_t first_epoch, const std::vector<LineFacts>* outputs);
+    void addSteps(const LayerFacts& layer, std::size_t epoch);
+    void add(FlowNode node);
 
+    double start_time_;
+    std::vector<double> window_edges_;  // after the start, ascending
     std::vector<FlowNode> nodes_;
-    std::size_t loop_begin_ = 0;
+    std::vector<std::size_t> ends_;  // nodes that the next one follows
+    std::vector<std::size_t> loop_begins_;
+    std::vector<std::size_t> loop_ends_;
 };
 
 bool has(const LineFacts& line, AccessMode mode, const FieldKey& key);
@@ -73,7 +87,7 @@ std::vector<State> solveForward(const Flow& flow, const State& initial, Transfer
         changed.pop_back();
         State state = *before[node];
         transfer(flow.nodes()[node], state);
-        for (const std::size_t next : flow.successors(node)) {
+        for (const std::size_t next : flow.nodes()[node].next) {
             if (before[next] && !meet(*before[next], state)) continue;
             if (!before[next]) before[next] = state;
             changed.push_back(next);

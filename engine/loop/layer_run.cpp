@@ -109,6 +109,7 @@ double LayerRun::cover(double from, double until) {
 
 void LayerRun::substep(double dt, double end) {
     clock_.dt = dt;
+    begin_ = triggerTime(clock_.time, dt);
     for (Line& line : lines_) {
         if (auto* call = std::get_if<CallRun>(&line)) {
             run(*call);
@@ -134,7 +135,9 @@ bool LayerRun::due(CallRun& line) const {
 }
 
 void LayerRun::run(CallRun& line) {
-    if (!due(line)) return;
+    // Asked in any case: multiples that pass outside of the window are past.
+    const bool is_due = due(line);
+    if (!is_due || !line.call->window.holds(begin_)) return;
     {
         const TimedCall timed(line.tally);
         line.call->method->run(line.call->action, clock_);

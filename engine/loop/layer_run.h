@@ -63,13 +63,14 @@ class LayerRun {
     const Layer& layer_;
     const LayerRun* parent_;
     Clock clock_;
+    double begin_ = 0;  // of the substep under way, as windows compare it
     std::vector<Line> lines_;
     std::vector<Tally> estimate_tallies_;
     Tally tally_;  // calls are substeps
 };
 
-/// Time of a layer at the end of the substep under way or just done, with the allowance for
-/// rounding: the value that a time trigger compares.
+/// Time of a layer at the begin or end of the substep under way or just done, with the allowance
+/// for rounding: the value that windows (begin) and time triggers (end) compare.
 double triggerTime(double time, double dt);
 
 }  // namespace sphinx::loop

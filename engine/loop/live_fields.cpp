@@ -29,7 +29,7 @@ std::map<std::string, std::set<std::string>> liveFields(const LoopFacts& facts) 
     for (const FieldKey& key : known) {
         const bool used =
             flow.find(
-                    {flow.loopBegin()}, [&](const FlowNode& node) { return reads(node, key); },
+                    flow.loopBegins(), [&](const FlowNode& node) { return reads(node, key); },
                     [&](const FlowNode& node) { return replaces(node, key); })
                 .has_value();
         if (used || key.second == "velocity") live[key.first].insert(key.second);

@@ -33,6 +33,9 @@ void validateTrigger(const Trigger& trigger, const std::string& owner,
 
 void validateCall(const Call& call, const std::set<std::string>& layers) {
     require(call.method != nullptr, call.label + " has no method");
+    const Window& window = call.window;
+    require(!window.from || !window.until || *window.from < *window.until,
+            call.label + ": the end of its time must be above the start");
     if (!call.every) return;
     require(call.every->kind != Trigger::Kind::wall_time,
             call.label + ": a call cannot depend on the wall time");
@@ -72,7 +75,7 @@ void validate(const Plan& plan) {
     validateLayer(plan.outermost, true, layers);
     for (const Call& call : plan.start) {
         validateCall(call, layers);
-        require(!call.every, call.label + ": a start call runs once");
+        require(!call.every && !call.window.limited(), call.label + ": a start call runs once");
     }
     std::set<std::string> names;
     for (const OutputEntry& entry : plan.outputs) {

@@ -6,6 +6,7 @@
 #include "dynamics/dynamics.h"
 #include "loop/fit.h"
 #include "loop/trigger.h"
+#include "loop/window.h"
 
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct Call {
     /// Without: in every substep. Steps count the one under way, time is the end of the substep;
     /// a wall time is refused, because results would depend on the speed of the machine.
     std::optional<Trigger> every;
+    Window window = {};  ///< moments of `every` outside of it pass
 };
 
 struct TimeStep {

@@ -49,6 +49,7 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& bo
 
 template <int Dim>
 void PressureRelaxation<Dim>::run(int action, const Clock& clock) {
+    this->last_time_ = clock.time;
     if (action == 0)
         firstHalf(clock.dt);
     else

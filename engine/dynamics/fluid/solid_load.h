@@ -5,6 +5,9 @@
 #include "bodies/body.h"
 #include "neighbors/neighbor_list.h"
 
+#include <limits>
+#include <vector>
+
 namespace sphinx::fluid {
 
 enum class LoadKind { pressure, viscous };
@@ -19,6 +22,8 @@ class SolidLoad {
 
     virtual LoadKind loadKind() const = 0;
     virtual Body<Dim>& fluid() const = 0;
+    /// Time of the step in which it acted last; without one: minus infinity.
+    double lastTime() const { return last_time_; }
     /// Sum of the forces on the solid at the present state; zero when the method does not act on it.
     /// `list`: the fluid's neighbors in the solid at the present positions, with distances.
     virtual Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const = 0;
@@ -27,6 +32,22 @@ class SolidLoad {
     /// solid, with distances.
     virtual void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                            Field<Vec<Dim>>& force) const = 0;
+
+   protected:
+    double last_time_ = -std::numeric_limits<double>::infinity();
 };
+
+/// The load by which that fluid pushes at present: of several, which share the time of the run, the
+/// one that acted last, and before any has, the first. nullptr when there is none.
+template <int Dim>
+const SolidLoad<Dim>* presentLoad(const std::vector<const SolidLoad<Dim>*>& loads,
+                                  const Body<Dim>& fluid, LoadKind kind) {
+    const SolidLoad<Dim>* present = nullptr;
+    for (const SolidLoad<Dim>* load : loads)
+        if (load->loadKind() == kind && &load->fluid() == &fluid &&
+            (!present || load->lastTime() > present->lastTime()))
+            present = load;
+    return present;
+}
 
 }  // namespace sphinx::fluid

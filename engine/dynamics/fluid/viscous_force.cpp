@@ -121,7 +121,8 @@ double ViscousForce<Dim>::factor() const {
 }
 
 template <int Dim>
-void ViscousForce<Dim>::run(int, const Clock&) {
+void ViscousForce<Dim>::run(int, const Clock& clock) {
+    this->last_time_ = clock.time;
     if (form_ == ViscousForm::laplacian)
         accelerate<ViscousForm::laplacian>();
     else

@@ -19,9 +19,8 @@ FluidForce<Dim>::FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& 
 template <int Dim>
 void FluidForce<Dim>::run(int, const Clock&) {
     force_.setZero();
-    for (const fluid::SolidLoad<Dim>* load : context_->loads)
-        if (load->loadKind() == kind_ && &load->fluid() == fluid_)
-            load->addForces(*solid_, relation_->list, force_);
+    if (const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind_))
+        load->addForces(*solid_, relation_->list, force_);
 }
 
 template class FluidForce<2>;

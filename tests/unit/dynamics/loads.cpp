@@ -6,6 +6,7 @@
 #include "dynamics/force/point_force.h"
 #include "dynamics/force/spring.h"
 #include "dynamics/force/surface_pressure.h"
+#include "dynamics/force/velocity_damping.h"
 #include "dynamics/solid/acoustic_time_step.h"
 #include "expression.h"
 #include "stepper.h"
@@ -223,6 +224,18 @@ TEMPLATE_TEST_CASE_SIG("spring and dashpot: period and logarithmic decrement", "
     const double decrement = 2 * std::numbers::pi * ratio / std::sqrt(1 - ratio * ratio);
     CHECK(std::abs(0.5 * std::log(peaks[0] / peaks[2]) - decrement) < 1e-4);
     CHECK((centreOf(body) - rest).template tail<Dim - 1>().norm() < 1e-12);
+}
+
+TEMPLATE_TEST_CASE_SIG("damping of the velocity: exact over any steps", "", ((int Dim), Dim), 2, 3) {
+    ElasticScene<Dim> scene;
+    Body<Dim>& body = scene.add("block", scene.lattice(cube<Dim>(3)));
+    auto& velocity = body.particles.vector(fields::velocity);
+    for (std::size_t i = 0; i < body.size(); ++i) velocity[i] = scene.random.template vector<Dim>(1);
+    const std::vector<Vec<Dim>> before(velocity.data(), velocity.data() + body.size());
+    force::VelocityDamping<Dim> damping(body, 40);
+    for (const double dt : {0.01, 0.2, 0.003}) damping.run(0, {0, dt, 0});
+    for (std::size_t i = 0; i < body.size(); ++i)
+        CHECK((velocity[i] - std::exp(-40 * 0.213) * before[i]).norm() < round_off);
 }
 
 TEST_CASE("the reaction of a body that is held is its weight") {

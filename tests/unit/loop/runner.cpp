@@ -264,6 +264,12 @@ TEST_CASE("plans that cannot run are refused") {
     SECTION("a start call under every") {
         plan.start = {Call{"lists", &method, 0, eachSteps(2)}};
         CHECK(message() == "loop: lists: a start call runs once");
+        plan.start = {Call{"lists", &method, 0, {}, {{}, 1.0}}};
+        CHECK(message() == "loop: lists: a start call runs once");
+    }
+    SECTION("a window without an inside") {
+        plan.outermost.steps.push_back({Call{"lists", &method, 0, {}, {1.0, 1.0}}});
+        CHECK(message() == "loop: lists: the end of its time must be above the start");
     }
     SECTION("steps that are no whole number") {
         plan.outputs = {{"frames", "vtu", &output, Trigger{Trigger::Kind::steps, 1.5, ""}, false}};

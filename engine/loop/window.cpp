@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "loop/window.h"
+
+#include <fmt/format.h>
+
+namespace sphinx::loop {
+
+std::string describe(const Window& window) {
+    std::string text;
+    if (window.from) text = fmt::format("from {:g}", *window.from);
+    if (window.until) text += fmt::format("{}until {:g}", text.empty() ? "" : " ", *window.until);
+    return text;
+}
+
+}  // namespace sphinx::loop

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "loop/window.h"
+#include "fakes.h"
+#include "loop/layer_run.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace sphinx;
+using namespace sphinx::loop;
+using namespace sphinx::loop::fake;
+
+namespace {
+
+Step limited(std::string label, Method& method, std::optional<double> from,
+             std::optional<double> until, std::optional<Trigger> trigger = {}) {
+    return {Call{std::move(label), &method, 0, std::move(trigger), {from, until}}};
+}
+
+/// Numbers of the substeps in which the method of that name acted.
+std::vector<std::int64_t> stepsOf(const Journal& journal, const std::string& name) {
+    std::vector<std::int64_t> steps;
+    for (const Event& event : journal)
+        if (event.name == name) steps.push_back(event.steps);
+    return steps;
+}
+
+using Numbers = std::vector<std::int64_t>;
+
+}  // namespace
+
+TEST_CASE("the text of a window") {
+    CHECK(describe(Window{}) == "");
+    CHECK(describe(Window{0.4, {}}) == "from 0.4");
+    CHECK(describe(Window{{}, 0.5}) == "until 0.5");
+    CHECK(describe(Window{0.4, 0.5}) == "from 0.4 until 0.5");
+}
+
+TEST_CASE("a call acts in the substeps that begin within its window") {
+    Journal journal;
+    Recorder early("early", journal), mid("mid", journal), late("late", journal);
+    // Ten times 0.1 is a little less than 1, three times a little more than 0.3.
+    const Layer outer = fixedLayer("outer", 0.1,
+                                   {limited("early", early, {}, 0.3), limited("mid", mid, 0.3, 0.8),
+                                    limited("late", late, 0.8, {})});
+    LayerRun run(outer, 0);
+    for (int k = 0; k < 10; ++k) run.stepFreely();
+    CHECK(stepsOf(journal, "early") == Numbers{0, 1, 2});
+    CHECK(stepsOf(journal, "mid") == Numbers{3, 4, 5, 6, 7});
+    CHECK(stepsOf(journal, "late") == Numbers{8, 9});
+}
+
+TEST_CASE("a call of an inner layer goes by the substeps of that layer") {
+    Journal journal;
+    Recorder before("before", journal), after("after", journal), outside("outside", journal);
+    const Layer inner =
+        fixedLayer("inner", 0.25, {limited("before", before, {}, 1.6), limited("after", after, 1.6, {})});
+    const Layer outer = fixedLayer("outer", 1.0, {{inner}, limited("outside", outside, 1.6, {})});
+    LayerRun run(outer, 0);
+    for (int k = 0; k < 3; ++k) run.stepFreely();
+    CHECK(stepsOf(journal, "before") == Numbers{0, 1, 2, 3, 4, 5, 6});
+    CHECK(stepsOf(journal, "after") == Numbers{7, 8, 9, 10, 11});
+    CHECK(stepsOf(journal, "outside") == Numbers{2});
+}
+
+TEST_CASE("two calls that share the time act once each substep, whatever the steps") {
+    Journal journal;
+    Recorder first("first", journal), second("second", journal);
+    double wobble = 0;
+    Estimate irregular([&] { return 0.0137 * (1.1 + std::sin(wobble += 0.7)); });
+    const Layer inner{"inner",
+                      {{"dt", &irregular}},
+                      {},
+                      Fit::split,
+                      {limited("first", first, {}, 1.0), limited("second", second, 1.0, {}),
+                       limited("first", first, {}, 1.0), limited("second", second, 1.0, {})}};
+    const Layer outer = fixedLayer("outer", 0.04, {{inner}});
+    LayerRun run(outer, 0);
+    for (int k = 0; k < 50; ++k) run.stepFreely();
+    const auto steps = static_cast<std::size_t>(run.find("inner")->clock().steps);
+    REQUIRE(journal.size() == 2 * steps);
+    for (std::size_t k = 0; k < journal.size(); ++k) {
+        CHECK(journal[k].steps == static_cast<std::int64_t>(k / 2));
+        CHECK(journal[k].name == journal[k - k % 2].name);
+    }
+    CHECK(journal.front().name == "first");
+    CHECK(journal.back().name == "second");
+}
+
+TEST_CASE("a step whose size changes on the way keeps to what it has begun with") {
+    Journal journal;
+    Recorder first("first", journal), second("second", journal);
+    const Layer inner = fixedLayer("inner", 0.75, {}, Fit::overshoot);
+    const Layer outer = fixedLayer(
+        "outer", 1.0, {limited("first", first, {}, 1.0), {inner}, limited("second", second, 1.0, {})});
+    LayerRun run(outer, 0);
+    run.stepFreely();  // to 1.5
+    CHECK(run.clock().time == 1.5);
+    run.stepFreely();
+    CHECK(stepsOf(journal, "first") == Numbers{0});
+    CHECK(stepsOf(journal, "second") == Numbers{1});
+}
+
+TEST_CASE("moments of every outside of the window pass") {
+    Journal journal;
+    Recorder act("act", journal);
+    const Trigger trigger = GENERATE(eachSteps(3), eachTime(0.75));
+    const Layer outer = fixedLayer("outer", 0.25, {limited("act", act, 1.0, 2.75, trigger)});
+    LayerRun run(outer, 0);
+    for (int k = 0; k < 16; ++k) run.stepFreely();
+    // Due in steps 2, 5, 8, 11, 14; the window holds 4 to 10.
+    CHECK(stepsOf(journal, "act") == Numbers{5, 8});
+}
