@@ -7,6 +7,7 @@
 #include "materials/material.h"
 #include "particles/particle_set.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,9 +17,11 @@ namespace sphinx {
 enum class BodyKind { fluid, solid, observer };
 
 /// Particles of a body that lie in a shape at the start.
+template <int Dim>
 struct BodyPart {
     std::string name;
     AlignedVector<Index> particles;  ///< ascending
+    geometry::ShapePointer<Dim> shape;
 };
 
 /// Particles with a material, a shape and a resolution.
@@ -35,7 +38,10 @@ struct Body {
     std::vector<Body*> sees;                      ///< topology: whose particles act on this body
     /// Neighbors that are one piece of material with this body (topology: bonded).
     std::vector<Body*> bonded;
-    std::vector<BodyPart> parts;
+    std::vector<BodyPart<Dim>> parts;
+    /// Not 0: the particle only mirrors the motion of others (constraint.clamp), it is no material
+    /// and has no stress. Empty: there is none.
+    std::vector<std::uint8_t> images;
     /// Stiffness of its hourglass control, pressure; see solid/deformation.h.
     double hourglass_modulus = 0;
     /// Counts every change of positions or order of the particles: a list that was built at
@@ -43,6 +49,13 @@ struct Body {
     std::uint64_t version = 0;
 
     std::size_t size() const { return particles.size(); }
+    bool isImage(std::size_t i) const { return !images.empty() && images[i] != 0; }
+    /// This body and those bonded to it: one piece of material.
+    std::vector<Body*> piece() {
+        std::vector<Body*> bodies{this};
+        bodies.insert(bodies.end(), bonded.begin(), bonded.end());
+        return bodies;
+    }
 };
 
 }  // namespace sphinx

@@ -3,6 +3,7 @@
 #include "case/check_loads.h"
 
 #include "core/place_text.h"
+#include "dynamics/constraint/clamp.h"
 #include "dynamics/constraint/prescribed_motion.h"
 #include "dynamics/force/surface_pressure.h"
 
@@ -66,11 +67,25 @@ void checkSurface(const Component& method, const World<Dim>& world,
     }
 }
 
+template <int Dim>
+void checkClamp(const Component& method, const World<Dim>& world,
+                input::Diagnostics& diagnostics) {
+    const auto& p = method.as<constraint::ClampParameters>();
+    const sphinx::Part<Dim> part(world, p.part);
+    if (part.size() < part.body().size()) return;
+    diagnostics.error(p.part.place,
+                      fmt::format("nothing of {} would be left to move: a clamp needs a part of it, "
+                                  "on whose surface it holds the other particles",
+                                  part.body().name));
+}
+
 }  // namespace
 
 template <int Dim>
 void checkLoads(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
     for (const Component& method : model.dynamics) {
+        if (method.declaration->name() == "constraint.clamp")
+            checkClamp<Dim>(method, world, diagnostics);
         if (method.declaration->name() == "constraint.prescribed_motion")
             checkMotion<Dim>(method, world, model.loop.start_time, diagnostics);
         if (method.declaration->name() == "force.surface_pressure")

@@ -9,7 +9,7 @@
 namespace sphinx::model {
 
 /// What loads and constraints ask of the particles that they act on: a prescribed displacement is
-/// zero at the start, and a surface that carries a pressure has a normal.
+/// zero at the start, a surface that carries a pressure has a normal, and a clamp leaves some free.
 template <int Dim>
 void checkLoads(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
 

@@ -37,6 +37,7 @@ void fillParts(const Case& model, World<Dim>& world) {
         for (std::size_t k = 0; k < source.parts.size(); ++k) {
             const auto& shape = model.findShape(source.parts[k].shape.text)->as<Dim>();
             const auto& start = body.particles.vector(fields::initial_position);
+            body.parts[k].shape = shape;
             auto& particles = body.parts[k].particles;
             particles.clear();
             for (std::size_t i = 0; i < body.size(); ++i)

@@ -17,14 +17,18 @@ class Part {
         const std::size_t dot = name.text.find('.');
         body_ = world.find(name.text.substr(0, dot));
         if (dot == std::string::npos) return;
-        for (const BodyPart& part : body_->parts)
-            if (part.name == name.text.substr(dot + 1)) particles_ = &part.particles;
+        for (const BodyPart<Dim>& part : body_->parts)
+            if (part.name == name.text.substr(dot + 1)) part_ = &part;
     }
 
     Body<Dim>& body() const { return *body_; }
-    std::size_t size() const { return particles_ ? particles_->size() : body_->size(); }
+    std::size_t size() const { return part_ ? part_->particles.size() : body_->size(); }
     /// Index in the body of the n-th particle.
-    std::size_t operator[](std::size_t n) const { return particles_ ? (*particles_)[n] : n; }
+    std::size_t operator[](std::size_t n) const { return part_ ? part_->particles[n] : n; }
+    /// Where its particles are at the start; of the body where it is all of it.
+    const geometry::Shape<Dim>* shape() const {
+        return part_ ? part_->shape.get() : body_->shape.get();
+    }
     /// Of all its particles.
     double mass() const {
         const auto& mass = body_->particles.scalar(fields::mass);
@@ -33,7 +37,7 @@ class Part {
 
    private:
     Body<Dim>* body_;
-    const AlignedVector<Index>* particles_ = nullptr;
+    const BodyPart<Dim>* part_ = nullptr;
 };
 
 }  // namespace sphinx

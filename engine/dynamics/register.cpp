@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/register.h"
 
+#include "dynamics/constraint/clamp.h"
 #include "dynamics/constraint/fix.h"
 #include "dynamics/constraint/prescribed_motion.h"
 #include "dynamics/fluid/acoustic_time_step.h"
@@ -30,6 +31,7 @@
 namespace sphinx {
 
 void registerDynamics(input::Registry& registry) {
+    constraint::declareClamp(registry);
     constraint::declareFix(registry);
     constraint::declarePrescribedMotion(registry);
     fluid::declareAcousticTimeStep(registry);

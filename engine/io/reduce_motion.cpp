@@ -42,7 +42,9 @@ struct Motion {
           v(&require<Vec<Dim>>(reduced, fields::velocity)),
           m(&require<double>(reduced, fields::mass)) {}
 
-    double kinetic(std::size_t i) const { return 0.5 * (*m)[i] * (*v)[i].squaredNorm(); }
+    /// Of the material; images are none.
+    double mass(std::size_t i) const { return body->isImage(i) ? 0 : (*m)[i]; }
+    double kinetic(std::size_t i) const { return 0.5 * mass(i) * (*v)[i].squaredNorm(); }
 
     const Body<Dim>* body;
     const Field<Vec<Dim>>* x;
@@ -86,7 +88,7 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
         [motion, fluid, density, relations](std::span<double> row) {
             const Vec<Dim> g = motion.body->gravity;
             const auto sum = parallelSum(motion.body->size(), [&](std::size_t i) {
-                const double m = (*motion.m)[i];
+                const double m = motion.mass(i);
                 return Sums<3>{{motion.kinetic(i), -m * g.dot((*motion.x)[i]),
                                 fluid ? m * fluid->internalEnergy((*density)[i]) : 0}};
             });
@@ -127,7 +129,7 @@ std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>& reduced) {
                        componentLabels<Dim>(Rank::vector)}},
                      motion.body, [motion](std::size_t i) {
                          std::array<double, Dim> term;
-                         for (int k = 0; k < Dim; ++k) term[k] = (*motion.m)[i] * (*motion.v)[i][k];
+                         for (int k = 0; k < Dim; ++k) term[k] = motion.mass(i) * (*motion.v)[i][k];
                          return term;
                      });
 }
@@ -143,14 +145,14 @@ std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced) {
         return sums<1>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
             const Vec<2>& x = (*motion.x)[i];
             const Vec<2>& v = (*motion.v)[i];
-            return std::array<double, 1>{(*motion.m)[i] * (x[0] * v[1] - x[1] * v[0])};
+            return std::array<double, 1>{motion.mass(i) * (x[0] * v[1] - x[1] * v[0])};
         });
     } else {
         quantity.labels = componentLabels<3>(Rank::vector);
         return sums<3>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
             const Vec<3>& x = (*motion.x)[i];
             const Vec<3>& v = (*motion.v)[i];
-            const double m = (*motion.m)[i];
+            const double m = motion.mass(i);
             return std::array<double, 3>{m * (x[1] * v[2] - x[2] * v[1]),
                                          m * (x[2] * v[0] - x[0] * v[2]),
                                          m * (x[0] * v[1] - x[1] * v[0])};

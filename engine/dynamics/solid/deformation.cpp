@@ -55,9 +55,7 @@ Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body)
       gradient_(body.particles.matrix(fields::deformation_gradient)),
       rate_(body.particles.matrix(fields::deformation_rate)),
       stress_(body.particles.matrix(fields::corrected_stress)) {
-    std::vector<Body<Dim>*> others{&body};
-    others.insert(others.end(), body.bonded.begin(), body.bonded.end());
-    for (Body<Dim>* other : others) {
+    for (Body<Dim>* other : body.piece()) {
         ParticleSet<Dim>& p = other->particles;
         neighbors_.push_back({&context.relations.reference(body, *other), &p.position(),
                               &p.vector(fields::initial_position), &p.vector(fields::velocity),
@@ -122,6 +120,10 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
             const Mat<Dim> rate = rate_[i];
             const Mat<Dim> F = gradient_[i] + half * rate;
             gradient_[i] = F;
+            if (body_->isImage(i)) {
+                stress_[i].setZero();
+                continue;
+            }
             const double J = F.determinant();
             if (!(J > 0)) {
                 inverted.at(i);

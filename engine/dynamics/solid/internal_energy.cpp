@@ -24,9 +24,11 @@ double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& d
         for (int k = 0; k < lane_count; ++k, ++place) {
             if (relation.weight[place] == 0) continue;
             const Index j = block.index[k];
+            // The list has half of a bond with an image, which bears no energy of its own.
+            const double weight = (relation.to->isImage(j) ? 2 : 1) * relation.weight[place];
             const Vec<Dim> R = domain.difference(from_start[i], to_start[j]);
             const Vec<Dim> r = domain.difference(from.position()[i], to.position()[j]);
-            sum += relation.weight[place] * (r - F * R).squaredNorm();
+            sum += weight * (r - F * R).squaredNorm();
         }
     return sum;
 }
@@ -42,21 +44,21 @@ double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
         dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
             const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
             return parallelSum(body.size(), [&](std::size_t i) {
+                if (body.isImage(i)) return 0.0;
                 return volume[i] *
                        law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
             });
         });
     if (body.hourglass_modulus == 0) return elastic;
     std::vector<const ReferenceRelation<Dim>*> sides;
-    std::vector<Body<Dim>*> others{&body};
-    others.insert(others.end(), body.bonded.begin(), body.bonded.end());
-    for (Body<Dim>* other : others) {
+    for (Body<Dim>* other : body.piece()) {
         ReferenceRelation<Dim>& relation = relations.reference(body, *other);
         relations.build(relation);
         sides.push_back(&relation);
     }
     const Domain<Dim>& domain = relations.domain();
     const double control = parallelSum(body.size(), [&](std::size_t i) {
+        if (body.isImage(i)) return 0.0;
         double sum = 0;
         for (const auto* side : sides) sum += unseenMotion(*side, domain, i, gradient[i]);
         return 0.5 * body.hourglass_modulus * volume[i] * sum;

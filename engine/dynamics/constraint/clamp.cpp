@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/constraint/clamp.h"
+
+namespace sphinx::constraint {
+
+template <int Dim>
+Clamp<Dim>::Clamp(Context<Dim>& context, Part<Dim> part)
+    : relations_(&context.relations),
+      part_(part),
+      relation_(&context.relations.reference(part.body(), part.body())),
+      velocity_(part.body().particles.vector(fields::velocity)),
+      acceleration_(part.body().particles.vector(fields::acceleration)),
+      external_(part.body().particles.vector(fields::external_acceleration)),
+      pressure_force_(part.body().particles.vector(fields::pressure_force)),
+      viscous_force_(part.body().particles.vector(fields::viscous_force)),
+      mass_(part.body().particles.scalar(fields::mass)) {
+    std::vector<std::uint8_t>& images = part.body().images;
+    images.resize(part.body().size());
+    for (std::size_t n = 0; n < part.size(); ++n) images[part[n]] = 1;
+}
+
+template <int Dim>
+void Clamp<Dim>::prepare() {
+    if (prepared_) return;
+    relations_->build(*relation_);
+    links_ = mirrorImages(part_, *relation_, relations_->domain());
+    prepared_ = true;
+}
+
+template <int Dim>
+void Clamp<Dim>::run(int, const Clock& clock) {
+    prepare();
+    if (clock.dt > 0) {
+        const auto load = [&](Index i) -> Vec<Dim> {
+            return mass_[i] * external_[i] + pressure_force_[i] + viscous_force_[i];
+        };
+        reaction_.setZero();
+        for (std::size_t n = 0; n < part_.size(); ++n) {
+            const Index i = part_[n];
+            reaction_ -= mass_[i] * acceleration_[i];
+        }
+        for (const ImageLink& link : links_) {
+            const Index i = link.image;
+            const Vec<Dim> force = link.weight * (mass_[i] * acceleration_[i] - load(i));
+            reaction_ += force;
+            acceleration_[link.real] += force / mass_[link.real];
+            velocity_[link.real] += clock.dt / mass_[link.real] * force;
+        }
+    }
+    for (std::size_t n = 0; n < part_.size(); ++n) velocity_[part_[n]].setZero();
+    for (const ImageLink& link : links_)
+        velocity_[link.image] += link.weight * velocity_[link.real];
+}
+
+template <int Dim>
+void Clamp<Dim>::transfer(Archive& archive) {
+    for (int c = 0; c < Dim; ++c) archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
+}
+
+void declareClamp(input::Registry& registry) {
+    using P = ClampParameters;
+    auto& d = registry.declare<P>(input::Kind::dynamics, "constraint.clamp");
+    d.summary("Clamps an elastic body along the surface of a part, whose particles mirror the motion "
+              "of the others");
+    d.formula("u = 0 on the surface: u_g = sum_k c_gk u_k, sum_k c_gk = -1; f_k += sum_g c_gk f_g");
+    d.citation("mirror particles as in Libersky et al. 1993, doi:10.1006/jcph.1993.1199");
+    d.required("part", &P::part, input::partReference({"elastic"}),
+               "part of a body; its particles carry no stress and no mass");
+    d.action("", "between the halves of the step, and at the start before the correction")
+        .reads("part", {"initial_position", "velocity", "mass", "acceleration",
+                        "external_acceleration", "pressure_force", "viscous_force"})
+        .writes("part", {"velocity", "acceleration"});
+    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<Clamp<Dim>>(context, Part<Dim>(context.world, p.part));
+    }));
+}
+
+template class Clamp<2>;
+template class Clamp<3>;
+
+}  // namespace sphinx::constraint

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/builder.h"
+#include "dynamics/constraint/mirror_images.h"
+#include "dynamics/constraint/support.h"
+
+namespace sphinx::constraint {
+
+struct ClampParameters {
+    input::Name part;
+};
+
+/// Holds an elastic body along the surface of a part: u = 0 there. The particles of the part are no
+/// material but images, which mirror the motion of the others, u_g = sum_k c_gk u_k with
+/// sum_k c_gk = -1, and hand the forces that they feel on to them, f_k += sum_g c_gk f_g: the motion
+/// is that of the energy of the other particles alone, without loss.
+/// constraint.fix, where the particles of the part stand still and share stress and strain with the
+/// others, holds the body 0.6 to 0.8 spacings behind that surface instead.
+/// Between the halves of the step; at the start, it gives the images their velocity.
+template <int Dim>
+class Clamp final : public Method, public Support<Dim> {
+   public:
+    Clamp(Context<Dim>& context, Part<Dim> part);
+    void run(int action, const Clock& clock) override;
+    std::size_t workSize() const override { return part_.size(); }
+
+    const Body<Dim>& supported() const override { return part_.body(); }
+    Vec<Dim> reaction() const override { return reaction_; }
+    void transfer(Archive& archive) override;
+
+   private:
+    void prepare();
+
+    Relations<Dim>* relations_;
+    Part<Dim> part_;
+    ReferenceRelation<Dim>* relation_;
+    std::vector<ImageLink> links_;
+    bool prepared_ = false;
+
+    Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& acceleration_;
+    Field<Vec<Dim>>& external_;
+    Field<Vec<Dim>>& pressure_force_;
+    Field<Vec<Dim>>& viscous_force_;
+    Field<double>& mass_;
+    Vec<Dim> reaction_ = Vec<Dim>::Zero();
+};
+
+/// Registers constraint.clamp.
+void declareClamp(input::Registry& registry);
+
+extern template class Clamp<2>;
+extern template class Clamp<3>;
+
+}  // namespace sphinx::constraint

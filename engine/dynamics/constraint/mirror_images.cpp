@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/constraint/mirror_images.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
+
+namespace sphinx::constraint {
+namespace {
+
+/// The point's mirror image in the plane that touches the surface of the shape between it and a point
+/// outside.
+template <int Dim>
+Vec<Dim> mirrored(const geometry::Shape<Dim>& shape, Vec<Dim> outside, const Vec<Dim>& point) {
+    Vec<Dim> inside = point;
+    for (int halving = 0; halving < 50; ++halving) {
+        const Vec<Dim> middle = 0.5 * (inside + outside);
+        (shape.contains(middle) ? inside : outside) = middle;
+    }
+    const Vec<Dim> normal = shape.normal(inside);
+    return point - 2 * (point - inside).dot(normal) * normal;
+}
+
+/// The real particles around a particle, itself included if it is one.
+template <int Dim>
+class Surroundings {
+   public:
+    Surroundings(const Body<Dim>& body, const Field<Vec<Dim>>& start,
+                 const ReferenceRelation<Dim>& relation, const Domain<Dim>& domain)
+        : body_(body), start_(start), relation_(relation), domain_(domain) {}
+
+    /// f(j) for every real particle within the cutoff of particle i.
+    template <class Function>
+    void forEach(Index i, Function&& f) const {
+        if (!body_.isImage(i)) f(i);
+        std::uint32_t left = relation_.list.ranges[i].count;
+        for (const auto& block : relation_.list.of(i))
+            for (int k = 0; k < lane_count && left > 0; ++k, --left)
+                if (!body_.isImage(block.index[k])) f(block.index[k]);
+    }
+    /// Nearest to the point of those around particle i; i itself if there is none.
+    Index nearest(Index i, const Vec<Dim>& point) const {
+        Index best = i;
+        double distance = infinity;
+        forEach(i, [&](Index j) {
+            const double d = offset(j, point).squaredNorm();
+            if (d >= distance) return;
+            distance = d;
+            best = j;
+        });
+        return best;
+    }
+    Vec<Dim> offset(Index j, const Vec<Dim>& point) const {
+        return domain_.difference(start_[j], point);
+    }
+
+   private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Body<Dim>& body_;
+    const Field<Vec<Dim>>& start_;
+    const ReferenceRelation<Dim>& relation_;
+    const Domain<Dim>& domain_;
+};
+
+/// Adds the links of an image to the particles around its mirror point, next to which `center` is.
+template <int Dim>
+void link(const Surroundings<Dim>& around, const Kernel<Dim>& kernel, Index image, Index center,
+          const Vec<Dim>& point, double spacing, std::vector<ImageLink>& links) {
+    if (around.offset(center, point).norm() < 1e-6 * spacing) {
+        links.push_back({image, center, -1});
+        return;
+    }
+    using Basis = Eigen::Matrix<double, Dim + 1, 1>;
+    const auto basis = [&](Index j) {
+        Basis p;
+        p << 1, around.offset(j, point) / spacing;
+        return p;
+    };
+    Eigen::Matrix<double, Dim + 1, Dim + 1> moment;
+    moment.setZero();
+    around.forEach(center, [&](Index j) {
+        const Basis p = basis(j);
+        moment += kernel.value(around.offset(j, point).norm()) * p * p.transpose();
+    });
+    const Eigen::FullPivLU<decltype(moment)> solver(moment);
+    if (!solver.isInvertible()) {  // in a row: no linear field
+        links.push_back({image, center, -1});
+        return;
+    }
+    const Basis unit = Basis::Unit(0);
+    const Basis factors = solver.solve(unit);
+    around.forEach(center, [&](Index j) {
+        const double weight = kernel.value(around.offset(j, point).norm()) * factors.dot(basis(j));
+        if (weight != 0) links.push_back({image, j, -weight});
+    });
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<ImageLink> mirrorImages(const Part<Dim>& part,
+                                    const ReferenceRelation<Dim>& relation,
+                                    const Domain<Dim>& domain) {
+    Body<Dim>& body = part.body();
+    const auto& start = body.particles.vector(fields::initial_position);
+    const Surroundings<Dim> around(body, start, relation, domain);
+    std::vector<ImageLink> links;
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        const Index image = part[n];
+        Vec<Dim> point = start[image];
+        Index next = around.nearest(image, point);
+        if (next == image) continue;
+        // In a corner the image of one face lies behind another.
+        for (int face = 0; face < Dim && part.shape()->contains(point); ++face) {
+            point = mirrored<Dim>(*part.shape(), start[next], point);
+            for (Index last = image; last != next;) {
+                last = next;
+                next = around.nearest(last, point);
+            }
+        }
+        // Half a diagonal of the lattice: the point lies inside of the body.
+        if (around.offset(next, point).norm() > 0.5 * std::sqrt(1.01 * Dim) * body.spacing) continue;
+        link(around, body.kernel, image, next, point, body.spacing, links);
+    }
+    return links;
+}
+
+template std::vector<ImageLink> mirrorImages(const Part<2>&, const ReferenceRelation<2>&,
+                                             const Domain<2>&);
+template std::vector<ImageLink> mirrorImages(const Part<3>&, const ReferenceRelation<3>&,
+                                             const Domain<3>&);
+
+}  // namespace sphinx::constraint

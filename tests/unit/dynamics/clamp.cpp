@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/constraint/clamp.h"
+
+#include "dynamics/force/gravity.h"
+#include "dynamics/solid/acoustic_time_step.h"
+#include "dynamics/solid/internal_energy.h"
+#include "stepper.h"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+using namespace sphinx;
+using namespace sphinx::test;
+
+namespace {
+
+constexpr double depth = 3 * spacing;  // of the clamped part
+
+/// A body of which the particles with R_0 < depth are clamped.
+template <int Dim>
+struct Clamped {
+    ElasticScene<Dim> scene;
+    Body<Dim>& body;
+    constraint::Clamp<Dim> clamp;
+    Stepper<Dim> stepper;
+
+    explicit Clamped(double jitter, double damping = 0)
+        : body(scene.add("block", scene.lattice(blockSize(), jitter), damping)),
+          clamp(scene.context, base(body)),
+          stepper(scene.context, body) {}
+
+    static std::array<int, Dim> blockSize() {
+        std::array<int, Dim> n;
+        n.fill(Dim == 2 ? 6 : 5);
+        n[0] = 9;
+        return n;
+    }
+    Part<Dim> base(Body<Dim>& whole) {
+        scene.addPart(whole, "base", [](const Vec<Dim>& R) { return R[0] < depth; });
+        Vec<Dim> upper = Vec<Dim>::Constant(10);
+        upper[0] = depth;
+        whole.parts.back().shape = geometry::makeBox<Dim>(Vec<Dim>::Constant(-10), upper);
+        return Part<Dim>(scene.world, {"block.base", {}});
+    }
+    Field<Vec<Dim>>& vectors(const FieldInfo& info) { return body.particles.vector(info); }
+    /// Velocities of all that are no images; the images follow.
+    template <class Velocity>
+    void setVelocity(Velocity&& velocity) {
+        for (std::size_t i = 0; i < body.size(); ++i)
+            vectors(fields::velocity)[i] = body.isImage(i) ? Vec<Dim>::Zero().eval() : velocity(i);
+        clamp.run(0, {});
+    }
+    /// Displaces likewise; F from there, all at rest. Returns the energy.
+    template <class Displacement>
+    double displace(Displacement&& displacement) {
+        setVelocity(displacement);
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            body.particles.position()[i] =
+                vectors(fields::initial_position)[i] + vectors(fields::velocity)[i];
+            vectors(fields::velocity)[i].setZero();
+        }
+        stepper.start();
+        return solid::internalEnergy(body, scene.relations);
+    }
+};
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("a clamped body deforms evenly up to the surface of its clamp", "",
+                       ((int Dim), Dim), 2, 3) {
+    Clamped<Dim> block(0.2);
+    const Vec<Dim> stretch = block.scene.random.template vector<Dim>(1);
+    block.setVelocity([&](std::size_t i) -> Vec<Dim> {
+        return (block.vectors(fields::initial_position)[i][0] - depth) * stretch;
+    });
+    block.stepper.start();
+    Mat<Dim> rate = Mat<Dim>::Zero();
+    rate.col(0) = stretch;
+    for (std::size_t i = 0; i < block.body.size(); ++i) {
+        if (block.body.isImage(i)) continue;
+        const Mat<Dim>& found = block.body.particles.matrix(fields::deformation_rate)[i];
+        CHECK((found - rate).cwiseAbs().maxCoeff() < 1e-11);
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("forces in a clamped body are those of its energy", "", ((int Dim), Dim), 2,
+                       3) {
+    Clamped<Dim> block(0.1);
+    Body<Dim>& body = block.body;
+    std::vector<Vec<Dim>> u(body.size()), du(body.size());
+    for (Vec<Dim>& v : u) v = block.scene.random.template vector<Dim>(0.05 * spacing);
+    for (Vec<Dim>& v : du) v = block.scene.random.template vector<Dim>(spacing);
+    const auto energy = [&](double step) {
+        return block.displace([&](std::size_t i) -> Vec<Dim> { return u[i] + step * du[i]; });
+    };
+    const double step = 1e-5;
+    const double slope = (energy(step) - energy(-step)) / (2 * step);
+    energy(0);
+    block.stepper.step(1e-12, {}, {&block.clamp});
+    double power = 0;
+    Vec<Dim> total = Vec<Dim>::Zero();
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        if (body.isImage(i)) continue;
+        const Vec<Dim> force =
+            body.particles.scalar(fields::mass)[i] * block.vectors(fields::acceleration)[i];
+        power += force.dot(du[i]);
+        total += force;
+    }
+    CHECK(power == Approx(-slope).epsilon(1e-6));
+    CHECK((block.clamp.reaction() - total).norm() < 1e-10 * total.norm());
+}
+
+TEST_CASE("the reaction of a clamped body is its weight when it has come to rest") {
+    Clamped<2> block(0, 2);
+    force::Gravity<2> gravity(block.body, Vec<2>(-10, 0));
+    solid::AcousticTimeStep<2> time_step(block.body, 0.6);
+    while (block.stepper.clock.time < 15)
+        block.stepper.step(time_step.estimate(), {&gravity}, {&block.clamp});
+    double weight = 0;
+    for (std::size_t i = 0; i < block.body.size(); ++i)
+        weight += 10 * block.body.particles.scalar(fields::mass)[i];
+    CHECK(block.clamp.reaction()[0] == Approx(weight).epsilon(1e-6));
+    CHECK(std::abs(block.clamp.reaction()[1]) < 1e-6 * weight);
+}
+
+TEST_CASE("images stand behind the surface of the clamp, in its corners behind both") {
+    ElasticScene<2> scene;
+    Body<2>& body = scene.add("block", scene.lattice({8, 8}));
+    const geometry::ShapePointer<2> rest = geometry::makeBox<2>(
+        Vec<2>::Constant(depth), Vec<2>::Constant(6 * spacing));
+    scene.addPart(body, "frame", [&](const Vec<2>& R) { return !rest->contains(R); });
+    body.parts.back().shape = geometry::makeDifference<2>(
+        {geometry::makeBox<2>(Vec<2>::Constant(-10), Vec<2>::Constant(10)), rest});
+    const Part<2> frame(scene.world, {"block.frame", {}});
+    constraint::Clamp<2> clamp(scene.context, frame);
+    auto& relation = scene.relations.reference(body, body);
+    scene.relations.build(relation);
+    const auto links = constraint::mirrorImages(frame, relation, scene.world.domain);
+    std::map<std::pair<int, int>, std::pair<int, int>> found;
+    for (const auto& link : links) {
+        CHECK(link.weight == -1);
+        const auto cell = [&](Index i) {
+            const Vec<2> place = body.particles.position()[i] / spacing;
+            return std::pair(static_cast<int>(place[0]), static_cast<int>(place[1]));
+        };
+        CHECK(found.emplace(cell(link.image), cell(link.real)).second);
+    }
+    using Cell = std::pair<int, int>;
+    // Beside the square of 3 x 3, two rows within reach on each side, one particle in each corner
+    // at a smoothing length of 1.15 spacings.
+    CHECK(found.at(Cell(2, 4)) == Cell(3, 4));
+    CHECK(found.at(Cell(1, 4)) == Cell(4, 4));
+    CHECK(found.at(Cell(6, 3)) == Cell(5, 3));
+    CHECK(found.at(Cell(2, 2)) == Cell(3, 3));
+    CHECK(found.at(Cell(6, 6)) == Cell(5, 5));
+    CHECK(found.count(Cell(0, 4)) == 0);
+}
