@@ -3,6 +3,7 @@
 #include "case/loop_facts.h"
 
 #include "case/access.h"
+#include "case/field_makers.h"
 #include "case/initial_values.h"
 #include "loop/check.h"
 
@@ -29,6 +30,7 @@ class FactsMaker {
                     {body.name, contact.body.text, contact.bonded || (elastic && own)});
             }
         }
+        facts.makers = fieldMakers();
         facts.start_time = model_.loop.start_time;
         for (const Step& step : model_.loop.start) facts.start.push_back(line(step));
         facts.outermost = layer(model_.loop.layer);

@@ -6,6 +6,7 @@
 #include "loop/fit.h"
 #include "loop/window.h"
 
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -58,6 +59,13 @@ struct ListFacts {
     bool reference_configuration = false;  ///< built once: motion does not make it stale
 };
 
+/// A type of method that could be added to a case, and the fields of its body that it computes from
+/// scratch: advice where one of them is missing.
+struct FieldMaker {
+    std::string method;
+    std::set<std::string> fields;
+};
+
 struct LoopFacts {
     std::vector<BodyFacts> bodies;
     std::vector<ListFacts> lists;
@@ -65,6 +73,7 @@ struct LoopFacts {
     std::vector<LineFacts> start;
     LayerFacts outermost;
     std::vector<LineFacts> outputs;  ///< read after outermost steps, not in all of them
+    std::vector<FieldMaker> makers;
 };
 
 }  // namespace sphinx::loop

@@ -63,6 +63,19 @@ TEST_CASE("a field is read before anything wrote it") {
               Messages{"22 error pressure_relaxation.first_half reads normal of wall, which "
                        "nothing writes: call a method that computes it first"});
     }
+    SECTION("one missing method is named once, with all that it would compute") {
+        facts.start.pop_back();
+        facts.makers = {{"normals_from_shape", {"normal", "depth"}}, {"weights", {"mass"}}};
+        facts.outputs[0].accesses.push_back(read("wall", "depth"));
+        CHECK(found(facts) ==
+              Messages{"22 error pressure_relaxation.first_half reads normal of wall, which nothing "
+                       "computes: call a method of type normals_from_shape for wall first"});
+        facts.makers.push_back({"other_normals", {"normal"}});  // which of them?
+        facts.outputs[0].accesses.pop_back();
+        CHECK(found(facts) ==
+              Messages{"22 error pressure_relaxation.first_half reads normal of wall, which "
+                       "nothing writes: call a method that computes it first"});
+    }
     SECTION("it is written later in the loop") {
         facts.start.pop_back();
         facts.outermost.steps.push_back({lines.normals});
