@@ -54,6 +54,9 @@ class Continued(Promise):
     def test_elastic_with_loads_and_motion(self):
         self.resumed_equals_whole("strip_2d", {})
 
+    def test_clamped(self):
+        self.resumed_equals_whole("clamped_3d", {})
+
     def test_text_encoding(self):
         self.resumed_equals_whole("splash_2d", {"outputs__restart__encoding": "text"})
 
