@@ -12,8 +12,8 @@ import checks
 CASE = "shear_driven_elastic_layer_2d"
 LAYER, LENGTH, SHEAR, STRESS = 0.5, 2.0, 0.01, 0.5
 SETTLED = 4.0
-# Measured at gap/20: force -0.2 %, shear +0.3 %, surface +8.2 % (first order, README.md).
-LIMITS = {"force": 0.02, "shear": 0.02, "surface": 0.10}
+# Measured at gap/20: force -0.2 %, shear +0.7 %, surface +1.7 % (README.md).
+LIMITS = {"force": 0.02, "shear": 0.02, "surface": 0.03}
 
 
 def measure(rows):
