@@ -22,6 +22,7 @@ struct BodyPart {
     std::string name;
     AlignedVector<Index> particles;  ///< ascending
     geometry::ShapePointer<Dim> shape;
+    bool mirrors = false;  ///< its particles are images, see Body::images
 };
 
 /// Particles with a material, a shape and a resolution.
@@ -50,6 +51,15 @@ struct Body {
 
     std::size_t size() const { return particles.size(); }
     bool isImage(std::size_t i) const { return !images.empty() && images[i] != 0; }
+    /// Finds the images anew, from the parts that mirror.
+    void findImages() {
+        images.clear();
+        for (const BodyPart<Dim>& part : parts) {
+            if (!part.mirrors) continue;
+            images.resize(size());
+            for (const Index i : part.particles) images[i] = 1;
+        }
+    }
     /// This body and those bonded to it: one piece of material.
     std::vector<Body*> piece() {
         std::vector<Body*> bodies{this};

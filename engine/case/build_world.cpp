@@ -103,7 +103,7 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
         body->spacing = source.spacing(model.resolution);
         const double h = source.smoothingRatio(model.resolution) * body->spacing;
         body->kernel = Kernel<Dim>(model.resolution.kernel, h, body->spacing);
-        for (const Part& part : source.parts) body->parts.push_back({part.name, {}, {}});
+        for (const Part& part : source.parts) body->parts.push_back({part.name, {}, {}, false});
         if (particles || source.kind == BodyKind::observer)
             makeParticles(model, source, world->domain, *body);
         if (particles && hasFibres(model, source))

@@ -17,7 +17,7 @@ class Part {
         const std::size_t dot = name.text.find('.');
         body_ = world.find(name.text.substr(0, dot));
         if (dot == std::string::npos) return;
-        for (const BodyPart<Dim>& part : body_->parts)
+        for (BodyPart<Dim>& part : body_->parts)
             if (part.name == name.text.substr(dot + 1)) part_ = &part;
     }
 
@@ -25,6 +25,12 @@ class Part {
     std::size_t size() const { return part_ ? part_->particles.size() : body_->size(); }
     /// Index in the body of the n-th particle.
     std::size_t operator[](std::size_t n) const { return part_ ? part_->particles[n] : n; }
+    /// Makes images of its particles, those that it has later included. A whole body has none.
+    void mirror() {
+        if (!part_) return;
+        part_->mirrors = true;
+        body_->findImages();
+    }
     /// Where its particles are at the start; of the body where it is all of it.
     const geometry::Shape<Dim>* shape() const {
         return part_ ? part_->shape.get() : body_->shape.get();
@@ -37,7 +43,7 @@ class Part {
 
    private:
     Body<Dim>* body_;
-    const BodyPart<Dim>* part_ = nullptr;
+    BodyPart<Dim>* part_ = nullptr;
 };
 
 }  // namespace sphinx

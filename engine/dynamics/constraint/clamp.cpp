@@ -15,9 +15,7 @@ Clamp<Dim>::Clamp(Context<Dim>& context, Part<Dim> part)
       pressure_force_(part.body().particles.vector(fields::pressure_force)),
       viscous_force_(part.body().particles.vector(fields::viscous_force)),
       mass_(part.body().particles.scalar(fields::mass)) {
-    std::vector<std::uint8_t>& images = part.body().images;
-    images.resize(part.body().size());
-    for (std::size_t n = 0; n < part.size(); ++n) images[part[n]] = 1;
+    part_.mirror();
 }
 
 template <int Dim>

@@ -104,7 +104,8 @@ struct ElasticScene {
     /// A part of that name with the particles for which inside(R) holds.
     template <class Inside>
     void addPart(Body<Dim>& body, const std::string& name, Inside&& inside) {
-        BodyPart<Dim> part{name, {}, {}};
+        BodyPart<Dim> part;
+        part.name = name;
         for (std::size_t i = 0; i < body.size(); ++i)
             if (inside(body.particles.position()[i]))
                 part.particles.push_back(static_cast<Index>(i));
