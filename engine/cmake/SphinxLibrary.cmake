@@ -23,15 +23,24 @@ if(SPHINX_SANITIZE)
 endif()
 target_include_directories(sphinx_flags INTERFACE ${CMAKE_SOURCE_DIR}/engine)
 target_include_directories(sphinx_flags SYSTEM INTERFACE /usr/include/eigen3)
+# Vectors of two and three are all we have of Eigen; its vector code for every processor is half of
+# the time that its header takes.
+target_compile_definitions(sphinx_flags INTERFACE EIGEN_DONT_VECTORIZE)
 
-# sphinx_library(core LINK_PUBLIC ... LINK_PRIVATE ...): engine/core/**.cpp as sphinx_core.
+# For code that no step of a run waits for: takes a fifth less to compile.
+set(SPHINX_COLD_OPTIONS $<$<CONFIG:Release>:-O1>)
+
+# sphinx_library(core [COLD] LINK_PUBLIC ... LINK_PRIVATE ...): engine/core/**.cpp as sphinx_core.
 function(sphinx_library NAME)
-  cmake_parse_arguments(ARG "" "" "LINK_PUBLIC;LINK_PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "LINK_PUBLIC;LINK_PRIVATE" ${ARGN})
   file(GLOB_RECURSE SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/${NAME}/*.cpp)
   if(SOURCES)
     add_library(sphinx_${NAME} STATIC ${SOURCES})
     target_link_libraries(sphinx_${NAME} PUBLIC sphinx_flags ${ARG_LINK_PUBLIC}
                                          PRIVATE ${ARG_LINK_PRIVATE})
+    if(ARG_COLD)
+      target_compile_options(sphinx_${NAME} PRIVATE ${SPHINX_COLD_OPTIONS})
+    endif()
   else()
     add_library(sphinx_${NAME} INTERFACE)
     target_link_libraries(sphinx_${NAME} INTERFACE sphinx_flags ${ARG_LINK_PUBLIC})

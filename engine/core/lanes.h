@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/types.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +14,8 @@
 
 namespace sphinx {
 
-/// Eight neighbors at a time: the unit in which neighbor lists are stored and summed. Vector types
-/// of the compiler (GCC and Clang), so the same code becomes AVX-512, AVX2, SSE2 or NEON.
-inline constexpr int lane_count = 8;
+/// lane_count neighbors at a time. Vector types of the compiler (GCC and Clang), so the same code
+/// becomes AVX-512, AVX2, SSE2 or NEON.
 using Lanes = double __attribute__((vector_size(64)));
 using FloatLanes = float __attribute__((vector_size(32)));
 using HalfLanes = double __attribute__((vector_size(32)));

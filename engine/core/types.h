@@ -17,6 +17,9 @@ using Mat = Eigen::Matrix<double, Dim, Dim>;
 /// Index of a particle in its body; lists store it in 32 bits.
 using Index = std::uint32_t;
 
+/// The unit in which neighbor lists are stored and summed (core/lanes.h).
+inline constexpr int lane_count = 8;
+
 /// Stands for "no value": a gauge without water, an observer without neighbors.
 inline constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 

@@ -3,6 +3,7 @@
 #include "neighbors/list_builder.h"
 
 #include "core/errors.h"
+#include "core/lanes.h"
 #include "core/parallel.h"
 
 #include <algorithm>

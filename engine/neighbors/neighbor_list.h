@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/aligned.h"
-#include "core/lanes.h"
 #include "core/types.h"
 
 #include <cstdint>
