@@ -113,6 +113,29 @@ TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that pressure takes f
     }
 }
 
+TEST_CASE("of two pressure relaxations that share the time, the elastic body feels the one that acts") {
+    Meeting<2> meeting;
+    PressureRelaxation<2> first(meeting.context, *meeting.fluid, Riemann::dissipative);
+    PressureRelaxation<2> second(meeting.context, *meeting.fluid, Riemann::none);
+    auto& force = meeting.solid->particles.vector(fields::pressure_force);
+    fsi::FluidForce<2> load(meeting.context, *meeting.solid, *meeting.fluid, LoadKind::pressure, force);
+    meeting.relations.update({meeting.fluid, meeting.solid});
+    const double dt = 1e-3;
+    CHECK(presentLoad(meeting.context.loads, *meeting.fluid, LoadKind::pressure) == &first);
+    CHECK(presentLoad(meeting.context.loads, *meeting.fluid, LoadKind::viscous) == nullptr);
+    double time = 0;
+    for (PressureRelaxation<2>* acting : {&first, &first, &second, &second}) {
+        const Vec<2> before = meeting.momentum();
+        acting->run(0, {time, dt, 0});
+        load.run(0, {time, dt, 0});
+        const Vec<2> taken = (before - meeting.momentum()) / dt;
+        CHECK((taken - sumOf<2>(force)).norm() < 1e-12 * taken.norm());
+        acting->run(1, {time, dt, 0});
+        meeting.relations.update({meeting.fluid, meeting.solid});
+        time += dt;
+    }
+}
+
 TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that viscosity takes from the fluid", "",
                        ((int Dim), Dim), 2, 3) {
     for (const ViscousForm form : {ViscousForm::laplacian, ViscousForm::central}) {
