@@ -27,6 +27,22 @@ struct Pairs {
     Lanes inverse_dW;            ///< 1 / abs(W'), large but finite where W' is 0
 };
 
+/// Sum over the components of a_c b_c. Every product is rounded before it is added: of a product fused
+/// with the addition and one that is not, the components of a turned case would change places.
+template <int Dim>
+inline Lanes dotLanes(const Lanes a[Dim], const Lanes b[Dim]) {
+    const auto product = [&](int c) {
+#if defined(__GNUC__) && !defined(__clang__)
+        return __builtin_assoc_barrier(a[c] * b[c]);  // GCC fuses across statements
+#else
+        return a[c] * b[c];
+#endif
+    };
+    Lanes sum = product(0);
+    for (int c = 1; c < Dim; ++c) sum += product(c);
+    return sum;
+}
+
 /// term(Pairs) for all neighbors of i, eight at a time. Unused places have a zero gradient, so a term
 /// that is linear in the gradient needs no mask. The squares of the gradient's floats
 /// are summed in double, where they are exact: in float a fused multiplication would make the length

@@ -3,7 +3,7 @@
 #include "neighbors/list_builder.h"
 
 #include "core/errors.h"
-#include "core/lanes.h"
+#include "core/exact_sum.h"
 #include "core/parallel.h"
 
 #include <algorithm>
@@ -156,6 +156,9 @@ std::size_t findNear(const Vec<Dim>& xi, std::int64_t self, double cutoff2,
     return count;
 }
 
+/// Of w <= 1 over at most a thousand neighbors.
+const SumGrid weights_grid(1000);
+
 /// Factors of a kernel that its pairs share.
 template <class K, int Dim>
 struct Factors {
@@ -178,7 +181,7 @@ double fillBlocks(const Vec<Dim>& xi, const Candidates<Dim>& candidates, std::ui
     // Places beyond the last neighbor repeat the first one.
     for (std::size_t m = n; m % lane_count != 0; ++m) found[m] = found[0];
     constexpr LaneMask lane = {0, 1, 2, 3, 4, 5, 6, 7};
-    Lanes sum = {};
+    ExactSum sum(weights_grid);
     for (std::size_t first = 0; first < n; first += lane_count, ++block) {
         const std::uint16_t* place = found + first;
         Lanes d[Dim];
@@ -192,13 +195,13 @@ double fillBlocks(const Vec<Dim>& xi, const Candidates<Dim>& candidates, std::ui
         const Lanes r = sqrtLanes(r2);
         const Lanes q = r * factors.inverse_h;
         const Lanes g = valid ? factors.gradient * K::dwOverQ(q) : Lanes{};
-        sum += valid ? K::w(q) : Lanes{};
+        sum.add(valid ? K::w(q) : Lanes{});
         for (int c = 0; c < Dim; ++c) storeLanes(g * d[c], block->gradient[c]);
         for (int k = 0; k < lane_count; ++k)
             block->index[k] = static_cast<std::uint32_t>(candidates.index[place[k]]);
         if (distance) storeLanes(r, distance + first);
     }
-    return factors.value * sumLanes(sum);
+    return factors.value * sum.value();
 }
 
 template <class K, int Dim, class Real>

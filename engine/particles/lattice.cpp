@@ -35,7 +35,8 @@ std::vector<Vec<Dim>> latticePoints(const geometry::Shape<Dim>& shape, double sp
             shape.rowContains(p, spacing, row, inside.data());
             for (std::size_t x = 0; x < row; ++x) {
                 if (!inside[x]) continue;
-                p[0] = geometry::rowAbscissa(coordinate(0, 0), spacing, x);
+                // Rounded like the other coordinates: a mirrored lattice has mirrored points.
+                p[0] = coordinate(0, static_cast<long>(x));
                 points.push_back(p);
             }
         }

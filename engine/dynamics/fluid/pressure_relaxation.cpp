@@ -27,6 +27,11 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& bo
       fluid_(&dynamic_cast<const WeaklyCompressibleFluid&>(*body.material)),
       riemann_(riemann),
       constants_{fluid_->density(), fluid_->soundSpeed()},
+      // Weakly compressible: pressures stay below a tenth of rho0 c0^2 and speeds below one of c0;
+      // sum_j abs(W') V_j is about 1/spacing.
+      force_grid_(0.1 * constants_.rho0 * constants_.c0 * constants_.c0 *
+                  std::pow(body.spacing, Dim - 1)),
+      rate_grid_(0.1 * constants_.c0 / body.spacing),
       position_(body.particles.position()),
       velocity_(body.particles.vector(fields::velocity)),
       external_(body.particles.vector(fields::external_acceleration)),
@@ -109,28 +114,32 @@ void PressureRelaxation<Dim>::momentum(double dt) {
     for (int c = 0; c < Dim; ++c)
         if (domain_->periodic[c]) gravity[c] = 0;
     const Vec<Dim> weight = constants_.rho0 * gravity;
+    const SumGrid grid = force_grid_;
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const PairState<Dim>& si = state[i];
-            Lanes sum[Dim] = {};
+            ExactSums<Dim> sum(grid);
             forEachPair(self, i, [&](const Pairs<Dim>& pair) {
                 const PairLanes<Dim> sj = gather(state, pair.index);
-                Lanes approach = {};  // v_ij . e_ij W' > 0 where the particles close in
-                for (int c = 0; c < Dim; ++c) approach += (si.v[c] - sj.v[c]) * pair.gradient[c];
+                Lanes v_ij[Dim];
+                for (int c = 0; c < Dim; ++c) v_ij[c] = si.v[c] - sj.v[c];
+                // v_ij . e_ij W' > 0 where the particles close in
+                const Lanes approach = dotLanes<Dim>(v_ij, pair.gradient);
                 const Lanes p2 =
                     si.p + sj.p + pressureJump<R>(constants_, approach * pair.inverse_dW);
-                const Lanes f = p2 * sj.V;
-                for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+                const Lanes f = p2 * (si.V * sj.V);
+                for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
             });
             const Vec<Dim> v = velocity_[i];
             const Vec<Dim> g = external_[i];
             const FluidLanes<Dim> fluid = oneFluid<Dim>(v, g, si.p, density_[i]);
             for (const Wall& wall : walls_)
-                addWallPressure<R>(wall.fields, wall.relation->list, i, constants_, fluid, sum);
+                addWallPressure<R>(wall.fields, wall.relation->list, i, constants_, fluid, si.V,
+                                   sum);
             PairState<Dim>& next = after_[i];
-            const double factor = -dt * si.V / mass_[i];
+            const double factor = -dt / mass_[i];
             for (int c = 0; c < Dim; ++c) {
-                const double vc = v[c] + factor * sumLanes(sum[c]) + dt * g[c];
+                const double vc = v[c] + factor * sum[c].value() + dt * g[c];
                 velocity_[i][c] = vc;
                 next.v[c] = vc;
             }
@@ -153,11 +162,12 @@ Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
                     Vec<Dim> part = Vec<Dim>::Zero();
                     for (std::size_t i = begin; i < end; ++i) {
                         if (list.ranges[i].count == 0) continue;
-                        Lanes sum[Dim] = {};
+                        ExactSums<Dim> sum(force_grid_);
                         const FluidLanes<Dim> fluid = oneFluid<Dim>(velocity_[i], external_[i],
                                                                     pressure_[i], density_[i]);
-                        addWallPressure<R>(wall.fields, list, i, constants_, fluid, sum);
-                        for (int c = 0; c < Dim; ++c) part[c] += volume_[i] * sumLanes(sum[c]);
+                        addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i],
+                                           sum);
+                        for (int c = 0; c < Dim; ++c) part[c] += sum[c].value();
                     }
                     return part;
                 },
@@ -175,11 +185,10 @@ void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborLi
         withRiemann(riemann_, [&]<Riemann R>() {
             parallelFor(solid.size(), [&](std::size_t j) {
                 if (list.ranges[j].count == 0) return;
-                Lanes sum[Dim] = {};
+                ExactSums<Dim> sum(force_grid_);
                 addFluidPressure<R>(wall.fields, list, j, constants_, before_.data(), external_,
                                     density_, sum);
-                const double V = (*wall.fields.volume)[j];
-                for (int c = 0; c < Dim; ++c) force[j][c] -= V * sumLanes(sum[c]);
+                for (int c = 0; c < Dim; ++c) force[j][c] -= sum[c].value();
             });
         });
     }
@@ -191,22 +200,24 @@ void PressureRelaxation<Dim>::continuity(double dt) {
     const NeighborList<Dim>& self = self_->list;
     const PairState<Dim>* state = after_.data();
     const double half = 0.5 * dt;
+    const SumGrid grid = rate_grid_;
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const PairState<Dim>& si = state[i];
-            Lanes sum = {};
+            ExactSum sum(grid);
             forEachPair(self, i, [&](const Pairs<Dim>& pair) {
                 const PairLanes<Dim> sj = gather(state, pair.index);
-                Lanes term = -pair.dW * velocityJump<R>(constants_, si.p - sj.p);
-                for (int c = 0; c < Dim; ++c) term += (si.v[c] - sj.v[c]) * pair.gradient[c];
-                sum += term * sj.V;
+                Lanes v_ij[Dim];
+                for (int c = 0; c < Dim; ++c) v_ij[c] = si.v[c] - sj.v[c];
+                const Lanes approach = dotLanes<Dim>(v_ij, pair.gradient);
+                const Lanes jump = pair.dW * velocityJump<R>(constants_, si.p - sj.p);
+                sum.addProduct(approach - jump, sj.V);
             });
             const Vec<Dim> v = velocity_[i];
-            double divergence = sumLanes(sum);
             // The ghost has the fluid's own pressure above the hydrostatic.
             for (const Wall& wall : walls_)
-                divergence -= 2 * wallClosure<Dim>(wall.fields, wall.relation->list, i, v);
-            const double rate = density_[i] * divergence;
+                addWallClosure<Dim>(wall.fields, wall.relation->list, i, v, sum);
+            const double rate = density_[i] * sum.value();
             density_rate_[i] = rate;
             density_[i] += half * rate;
             position_[i] += half * v;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/exact_sum.h"
 #include "dynamics/builder.h"
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/riemann.h"
@@ -63,6 +64,8 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
     const WeaklyCompressibleFluid* fluid_;
     Riemann riemann_;
     RiemannConstants constants_;
+    SumGrid force_grid_;
+    SumGrid rate_grid_;
     const Relation<Dim>* self_ = nullptr;
     std::vector<Wall> walls_;
 

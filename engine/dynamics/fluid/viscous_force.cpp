@@ -8,21 +8,21 @@
 namespace sphinx::fluid {
 namespace {
 
-/// Adds the terms of eight pairs without factors, with g = e W' and W' = -abs(W'):
-///   laplacian   v_ij W'/r V_j
-///   central     (v_ij . e) e W'/r V_j = (v_ij . g) g / (W' r) V_j
+/// Adds the terms of eight pairs without factors, with g = e W', W' = -abs(W') and V = V_i V_j:
+///   laplacian   v_ij W'/r V
+///   central     (v_ij . e) e W'/r V = (v_ij . g) g / (W' r) V
 template <ViscousForm F, int Dim>
 inline void addPairs(const Pairs<Dim>& pair, const Lanes v[Dim], const float* distance, Lanes V,
-                     Lanes sum[Dim]) {
+                     ExactSums<Dim>& sum) {
     const Lanes V_over_r = V / maxLanes(loadLanes(distance), lanes(1e-30));
     if constexpr (F == ViscousForm::laplacian) {
         const Lanes f = -pair.dW * V_over_r;
-        for (int c = 0; c < Dim; ++c) sum[c] += f * v[c];
+        for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, v[c]);
     } else {
         Lanes along = {};
         for (int c = 0; c < Dim; ++c) along += v[c] * pair.gradient[c];
         const Lanes f = -along * pair.inverse_dW * V_over_r;
-        for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+        for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
     }
 }
 
@@ -42,7 +42,7 @@ inline double continuation(const Pairs<Dim>& pair, int k, double distance, const
 /// the wall.
 template <ViscousForm F, int Dim, class Wall>
 inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t i,
-                    const Vec<Dim>& v, double nearest, Lanes sum[Dim]) {
+                    const Vec<Dim>& v, double V, double nearest, ExactSums<Dim>& sum) {
     const float* distance = list.distancesOf(i);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         double between[Dim][lane_count];
@@ -56,7 +56,8 @@ inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t
         }
         Lanes v_ij[Dim];
         for (int c = 0; c < Dim; ++c) v_ij[c] = loadLanes(between[c]);
-        addPairs<F, Dim>(pair, v_ij, distance, gatherLanes(wall.volume->data(), pair.index), sum);
+        addPairs<F, Dim>(pair, v_ij, distance, V * gatherLanes(wall.volume->data(), pair.index),
+                         sum);
         distance += lane_count;
     });
 }
@@ -65,8 +66,9 @@ inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t
 template <ViscousForm F, int Dim, class Wall>
 inline void addFluid(const Wall& wall, const NeighborList<Dim>& list, std::size_t j,
                      const Field<Vec<Dim>>& velocity, const Field<double>& volume, double nearest,
-                     Lanes sum[Dim]) {
+                     ExactSums<Dim>& sum) {
     const float* distance = list.distancesOf(j);
+    const double V = (*wall.volume)[j];
     const Vec<Dim> vw = (*wall.velocity)[j];
     const Vec<Dim> n = (*wall.normal)[j];
     const double depth = (*wall.depth)[j];
@@ -80,7 +82,7 @@ inline void addFluid(const Wall& wall, const NeighborList<Dim>& list, std::size_
         }
         Lanes v_ji[Dim];
         for (int c = 0; c < Dim; ++c) v_ji[c] = loadLanes(between[c]);
-        addPairs<F, Dim>(pair, v_ji, distance, gatherLanes(volume.data(), pair.index), sum);
+        addPairs<F, Dim>(pair, v_ji, distance, V * gatherLanes(volume.data(), pair.index), sum);
         distance += lane_count;
     });
 }
@@ -94,6 +96,10 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip
       mu_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).viscosity()),
       nearest_(0.25 * body.spacing),
       form_(form),
+      // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a few
+      // 1/spacing^2.
+      grid_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).soundSpeed() *
+             std::pow(body.spacing, Dim - 2)),
       velocity_(body.particles.vector(fields::velocity)),
       external_(body.particles.vector(fields::external_acceleration)),
       mass_(body.particles.scalar(fields::mass)),
@@ -135,7 +141,7 @@ void ViscousForce<Dim>::accelerate() {
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vec<Dim> v = velocity_[i];
-            Lanes sum[Dim] = {};
+            ExactSums<Dim> sum(grid_);
             const float* distance = self_->list.distancesOf(i);
             forEachPair(self_->list, i, [&](const Pairs<Dim>& pair) {
                 double between[Dim][lane_count];
@@ -145,14 +151,14 @@ void ViscousForce<Dim>::accelerate() {
                 }
                 Lanes v_ij[Dim];
                 for (int c = 0; c < Dim; ++c) v_ij[c] = loadLanes(between[c]);
-                addPairs<F, Dim>(pair, v_ij, distance, gatherLanes(volume_.data(), pair.index),
-                                 sum);
+                addPairs<F, Dim>(pair, v_ij, distance,
+                                 volume_[i] * gatherLanes(volume_.data(), pair.index), sum);
                 distance += lane_count;
             });
             for (const Wall& wall : walls_)
-                addWall<F, Dim>(wall, wall.relation->list, i, v, nearest_, sum);
-            const double scale = factor<F>() * volume_[i] / mass_[i];
-            for (int c = 0; c < Dim; ++c) external_[i][c] += scale * sumLanes(sum[c]);
+                addWall<F, Dim>(wall, wall.relation->list, i, v, volume_[i], nearest_, sum);
+            const double scale = factor<F>() / mass_[i];
+            for (int c = 0; c < Dim; ++c) external_[i][c] += scale * sum[c].value();
         }
     });
 }
@@ -175,10 +181,9 @@ Vec<Dim> ViscousForce<Dim>::forceOn(const Wall& wall, const NeighborList<Dim>& l
             Vec<Dim> part = Vec<Dim>::Zero();
             for (std::size_t i = begin; i < end; ++i) {
                 if (list.ranges[i].count == 0) continue;
-                Lanes sum[Dim] = {};
-                addWall<F, Dim>(wall, list, i, velocity_[i], nearest_, sum);
-                for (int c = 0; c < Dim; ++c)
-                    part[c] -= factor<F>() * volume_[i] * sumLanes(sum[c]);
+                ExactSums<Dim> sum(grid_);
+                addWall<F, Dim>(wall, list, i, velocity_[i], volume_[i], nearest_, sum);
+                for (int c = 0; c < Dim; ++c) part[c] -= factor<F>() * sum[c].value();
             }
             return part;
         },
@@ -203,10 +208,9 @@ void ViscousForce<Dim>::addForces(const Wall& wall, const NeighborList<Dim>& lis
                                   Field<Vec<Dim>>& force) const {
     parallelFor(list.ranges.size(), [&](std::size_t j) {
         if (list.ranges[j].count == 0) return;
-        Lanes sum[Dim] = {};
+        ExactSums<Dim> sum(grid_);
         addFluid<F, Dim>(wall, list, j, velocity_, volume_, nearest_, sum);
-        const double scale = factor<F>() * (*wall.volume)[j];
-        for (int c = 0; c < Dim; ++c) force[j][c] += scale * sumLanes(sum[c]);
+        for (int c = 0; c < Dim; ++c) force[j][c] += factor<F>() * sum[c].value();
     });
 }
 

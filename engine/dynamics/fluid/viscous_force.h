@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/exact_sum.h"
 #include "dynamics/builder.h"
 #include "dynamics/fluid/solid_load.h"
 #include "dynamics/fluid/wall_fields.h"
@@ -69,7 +70,7 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
     Vec<Dim> forceOn(const Wall& wall, const NeighborList<Dim>& list) const;
     template <ViscousForm F>
     void addForces(const Wall& wall, const NeighborList<Dim>& list, Field<Vec<Dim>>& force) const;
-    /// What the sums are multiplied by: with V_i a force.
+    /// What makes the sums forces.
     template <ViscousForm F>
     double factor() const;
 
@@ -77,6 +78,7 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
     double mu_;
     double nearest_;  // least distance of a fluid particle from a wall that is told apart
     ViscousForm form_;
+    SumGrid grid_;
     const Relation<Dim>* self_ = nullptr;
     std::vector<Wall> walls_;
     Field<Vec<Dim>>& velocity_;

@@ -6,19 +6,13 @@
 // one fluid particle with eight of a wall, or of one wall particle with eight of the fluid. Both
 // get the same numbers, so what one loses the other gains.
 
+#include "core/exact_sum.h"
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/riemann.h"
 #include "dynamics/fluid/wall_fields.h"
 #include "dynamics/pair_loop.h"
 
 namespace sphinx::fluid {
-
-template <int Dim>
-inline Lanes dot(const Lanes (&a)[Dim], const Lanes (&b)[Dim]) {
-    Lanes sum = a[0] * b[0];
-    for (int c = 1; c < Dim; ++c) sum += a[c] * b[c];
-    return sum;
-}
 
 /// The fluid's side of eight pairs.
 template <int Dim>
@@ -46,13 +40,13 @@ inline void spread(const Vec<Dim>& value, Lanes (&out)[Dim]) {
 template <int Dim>
 inline Lanes closingSpeed(const Lanes (&v)[Dim], WallLanes<Dim>& wall,
                           const Lanes (&gradient)[Dim]) {
-    const Lanes sign = dot<Dim>(wall.n, gradient) > 0.0 ? lanes(-1) : lanes(1);
-    Lanes closing = {};
+    const Lanes sign = dotLanes<Dim>(wall.n, gradient) > 0.0 ? lanes(-1) : lanes(1);
+    Lanes closing[Dim];
     for (int c = 0; c < Dim; ++c) {
         wall.n[c] *= sign;
-        closing -= (v[c] - wall.v[c]) * wall.n[c];
+        closing[c] = wall.v[c] - v[c];
     }
-    return closing;
+    return dotLanes<Dim>(closing, wall.n);
 }
 
 /// Twice the pressure p* of the one-sided Riemann problem: p_i, the pressure of the ghost
@@ -62,8 +56,9 @@ template <Riemann R, int Dim>
 inline Lanes twiceWallPressure(const RiemannConstants& constants, const FluidLanes<Dim>& fluid,
                                WallLanes<Dim>& wall, const Lanes (&gradient)[Dim],
                                Lanes inverse_dW, Lanes r) {
-    Lanes pull = {};  // (g_i - a_w) . (-e_ij) abs(W')
-    for (int c = 0; c < Dim; ++c) pull += (fluid.g[c] - wall.a[c]) * gradient[c];
+    Lanes g[Dim];
+    for (int c = 0; c < Dim; ++c) g[c] = fluid.g[c] - wall.a[c];
+    const Lanes pull = dotLanes<Dim>(g, gradient);  // (g_i - a_w) . (-e_ij) abs(W')
     const Lanes ghost = fluid.rho * r * maxLanes(pull * inverse_dW, Lanes{});
     const Lanes closing = closingSpeed<Dim>(fluid.v, wall, gradient);
     return 2.0 * fluid.p + ghost + pressureJump<R>(constants, 2.0 * closing);
@@ -79,30 +74,28 @@ inline FluidLanes<Dim> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, double p, 
     return fluid;
 }
 
-/// Sum over the wall particles j near the fluid particle i of the speed of closing in, times
-/// n . e_ij W' V_j.
+/// Adds -2 n . e_ij W' V_j times the speed of closing in, over the wall particles j near the fluid
+/// particle i.
 template <int Dim>
-inline double wallClosure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
-                          std::size_t i, const Vec<Dim>& velocity) {
+inline void addWallClosure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
+                           std::size_t i, const Vec<Dim>& velocity, ExactSum& sum) {
     Lanes v[Dim];
     spread<Dim>(velocity, v);
-    Lanes sum = {};
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
         gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
         gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
         const Lanes closing = closingSpeed<Dim>(v, wall, pair.gradient);
-        sum += closing * dot<Dim>(wall.n, pair.gradient) *
-               gatherLanes(fields.volume->data(), pair.index);
+        sum.addProduct(-2.0 * closing * dotLanes<Dim>(wall.n, pair.gradient),
+                       gatherLanes(fields.volume->data(), pair.index));
     });
-    return sumLanes(sum);
 }
 
-/// Adds sum_j 2 p*_ij e_ij W' V_j over the wall particles j near one fluid particle i.
+/// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the wall particles j near one fluid particle i.
 template <Riemann R, int Dim>
 inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                             std::size_t i, const RiemannConstants& constants,
-                            const FluidLanes<Dim>& fluid, Lanes (&sum)[Dim]) {
+                            const FluidLanes<Dim>& fluid, double V, ExactSums<Dim>& sum) {
     const float* r = list.distancesOf(i);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
@@ -111,20 +104,21 @@ inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Di
         gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
         const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, pair.gradient,
                                                    pair.inverse_dW, loadLanes(r));
-        const Lanes f = p2 * gatherLanes(fields.volume->data(), pair.index);
-        for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+        const Lanes f = p2 * (V * gatherLanes(fields.volume->data(), pair.index));
+        for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
         r += lane_count;
     });
 }
 
 /// The same for one wall particle j over the fluid particles i near it, from the states that the
-/// fluid has packed: adds sum_i 2 p*_ij e_ji W' V_i.
+/// fluid has packed: adds sum_i 2 p*_ij e_ji W' V_i V_j.
 template <Riemann R, int Dim>
 inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                              std::size_t j, const RiemannConstants& constants,
                              const PairState<Dim>* states, const Field<Vec<Dim>>& external,
-                             const Field<double>& density, Lanes (&sum)[Dim]) {
+                             const Field<double>& density, ExactSums<Dim>& sum) {
     const float* r = list.distancesOf(j);
+    const double V = (*fields.volume)[j];
     forEachPair(list, j, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
         spread<Dim>((*fields.velocity)[j], wall.v);
@@ -140,8 +134,8 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         for (int c = 0; c < Dim; ++c) gradient[c] = -pair.gradient[c];
         const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, gradient,
                                                    pair.inverse_dW, loadLanes(r));
-        const Lanes f = p2 * state.V;
-        for (int c = 0; c < Dim; ++c) sum[c] += f * pair.gradient[c];
+        const Lanes f = p2 * (V * state.V);
+        for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
         r += lane_count;
     });
 }
