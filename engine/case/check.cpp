@@ -43,7 +43,7 @@ double memory(const World<Dim>& world) {
         for (const auto* other : body->sees)
             if (other == body.get())
                 sum += n * expectedNeighbors(*body, *other) * 1.25 / lane_count *
-                       sizeof(PairBlock<Dim, float>);
+                       sizeof(typename NeighborList<Dim>::Block);
     }
     return sum;
 }

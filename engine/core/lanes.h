@@ -51,10 +51,33 @@ inline FloatLanes loadFloatLanes(const float* p) {
     std::memcpy(&a, p, sizeof a);
     return a;
 }
+using WholeLanes = std::int32_t __attribute__((vector_size(32)));
+
+inline Lanes loadLanes(const std::int32_t* p) {
+    WholeLanes a;
+    std::memcpy(&a, p, sizeof a);
+#if defined(__AVX512DQ__)
+    return reinterpret_cast<Lanes>(_mm512_maskz_cvtepi32_pd(0xff, reinterpret_cast<__m256i>(a)));
+#else
+    return __builtin_convertvector(a, Lanes);
+#endif
+}
 inline Lanes loadLanes(const float* p) { return toLanes(loadFloatLanes(p)); }
 inline void storeLanes(Lanes a, double* p) { std::memcpy(p, &a, sizeof a); }
 inline void storeLanes(Lanes a, float* p) {
     const FloatLanes b = toFloat(a);
+    std::memcpy(p, &b, sizeof b);
+}
+/// Rounded to the nearest whole numbers, which must be below 2^31.
+inline void storeLanes(Lanes a, std::int32_t* p) {
+    constexpr double shift = 0x1.8p52;  // beside it a double has no fraction
+    const Lanes whole = (a + shift) - shift;
+#if defined(__AVX512DQ__)
+    const auto b = reinterpret_cast<WholeLanes>(
+        _mm512_maskz_cvtpd_epi32(0xff, reinterpret_cast<__m512d>(whole)));
+#else
+    const WholeLanes b = __builtin_convertvector(whole, WholeLanes);
+#endif
     std::memcpy(p, &b, sizeof b);
 }
 

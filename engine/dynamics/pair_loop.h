@@ -44,19 +44,16 @@ inline Lanes dotLanes(const Lanes a[Dim], const Lanes b[Dim]) {
 }
 
 /// term(Pairs) for all neighbors of i, eight at a time. Unused places have a zero gradient, so a term
-/// that is linear in the gradient needs no mask. The squares of the gradient's floats
-/// are summed in double, where they are exact: in float a fused multiplication would make the length
-/// depend on the order of the axes, and a turned case would not move as the original.
+/// that is linear in the gradient needs no mask. The length of the gradient is taken in float: enough
+/// for what it is used for, the same for ij and ji, and much faster.
 template <int Dim, class Term>
-inline void forEachPair(const NeighborList<Dim, float>& list, std::size_t i, Term&& term) {
-    for (const PairBlock<Dim, float>& block : list.of(i)) {
-        Lanes norm2 = {};
+inline void forEachPair(const NeighborList<Dim>& list, std::size_t i, Term&& term) {
+    for (const auto& block : list.of(i)) {
         Pairs<Dim> pairs;
         pairs.index = block.index;
-        for (int c = 0; c < Dim; ++c) {
-            pairs.gradient[c] = loadLanes(block.gradient[c]);
-            norm2 += pairs.gradient[c] * pairs.gradient[c];
-        }
+        for (int c = 0; c < Dim; ++c)
+            pairs.gradient[c] = list.gradient_unit * loadLanes(block.gradient[c]);
+        const Lanes norm2 = dotLanes<Dim>(pairs.gradient, pairs.gradient);
         const FloatLanes norm = sqrtLanes(toFloat(norm2));
         const FloatLanes tiny = FloatLanes{} + 1e-30f;
         pairs.dW = toLanes(norm);

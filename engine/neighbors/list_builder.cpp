@@ -162,14 +162,14 @@ const SumGrid weights_grid(1000);
 /// Factors of a kernel that its pairs share.
 template <class K, int Dim>
 struct Factors {
-    explicit Factors(const Kernel<Dim>& kernel)
+    Factors(const Kernel<Dim>& kernel, double gradient_unit)
         : inverse_h(1 / kernel.smoothingLength()),
           value(K::sigma * std::pow(inverse_h, Dim)),
-          gradient(kernel.gradientFactor() * value * inverse_h * inverse_h) {}
+          gradient(kernel.gradientFactor() * value * inverse_h * inverse_h / gradient_unit) {}
 
     double inverse_h;
     double value;     // W = value w(q)
-    double gradient;  // e W' = gradient (r_i - r_j) dw/q
+    double gradient;  // e W' = gradient_unit gradient (r_i - r_j) dw/q
 };
 
 /// Writes the blocks of one particle and returns the sum of W. The difference of two positions (and
@@ -204,11 +204,20 @@ double fillBlocks(const Vec<Dim>& xi, const Candidates<Dim>& candidates, std::ui
     return factors.value * sum.value();
 }
 
+/// Unit in which all gradients of a list are whole numbers below 2^31: a power of two. No kernel's
+/// slope reaches 16/cutoff^(Dim+1).
+template <int Dim>
+double wholeUnit(const Kernel<Dim>& kernel) {
+    const double largest = kernel.gradientFactor() * 16 / std::pow(kernel.cutoff(), Dim + 1);
+    return std::ldexp(1.0, std::ilogb(largest) - 30);
+}
+
 template <class K, int Dim, class Real>
 void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
            const Kernel<Dim>& kernel, const Domain<Dim>& domain,
            NeighborList<Dim, Real>& list) {
-    const Factors<K, Dim> factors(kernel);
+    list.gradient_unit = std::is_integral_v<Real> ? wholeUnit(kernel) : 1;
+    const Factors<K, Dim> factors(kernel, list.gradient_unit);
     const double cutoff = K::reach * kernel.smoothingLength();
     const double cutoff2 = cutoff * cutoff;
     const Images<Dim> images(domain);
@@ -301,9 +310,9 @@ void buildList(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
 }
 
 template void buildList(const CellGrid<2>&, const CellGrid<2>&, bool, const Kernel<2>&,
-                        const Domain<2>&, NeighborList<2, float>&);
+                        const Domain<2>&, NeighborList<2>&);
 template void buildList(const CellGrid<3>&, const CellGrid<3>&, bool, const Kernel<3>&,
-                        const Domain<3>&, NeighborList<3, float>&);
+                        const Domain<3>&, NeighborList<3>&);
 template void buildList(const CellGrid<2>&, const CellGrid<2>&, bool, const Kernel<2>&,
                         const Domain<2>&, NeighborList<2, double>&);
 template void buildList(const CellGrid<3>&, const CellGrid<3>&, bool, const Kernel<3>&,

@@ -11,8 +11,7 @@ from support import Promise, last_restart, load_case
 
 SPACING = 0.05
 STEPS = 200
-# In spacings. It is 0 where no sum depends on the order of its terms: see core/exact_sum.h. A last
-# bit that differs grows to 1e-6.
+# In spacings. It is 0 where no sum depends on the order of its terms: see core/exact_sum.h.
 POSITION_ERROR = 1e-9
 
 # Of a point, and of a velocity or acceleration, to the new place; and the old x, y of a new point.
