@@ -86,7 +86,6 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
     const auto& to = r.to->particles.vector(fields::initial_position);
     r.gradient_sum.assign(r.from->size(), Vec<Dim>::Zero());
     r.weight.assign(r.list.blocks.size() * lane_count, 0);
-    r.weight_sum.assign(r.from->size(), 0);
     for (std::size_t i = 0; i < r.from->size(); ++i) {
         const auto& range = r.list.ranges[i];
         for (std::uint64_t b = range.first; b < range.first + range.blocks; ++b) {
@@ -104,7 +103,6 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
                 const double weight = share * g.norm() / R.norm();
                 r.gradient_sum[i] += g;
                 r.weight[b * lane_count + static_cast<std::size_t>(k)] = weight;
-                r.weight_sum[i] += weight;
             }
         }
     }

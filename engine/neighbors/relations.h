@@ -34,7 +34,6 @@ struct ReferenceRelation {
     /// abs(W'_ij)/R_ij V_j of every place, half of it where one of the two is an image, 0 where both
     /// are. 1/length^2
     AlignedVector<double> weight;
-    AlignedVector<double> weight_sum;      ///< sum_j of them
 };
 
 /// All relations of a simulation and the cell grids they share, one grid per body.

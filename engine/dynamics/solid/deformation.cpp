@@ -181,11 +181,8 @@ Vec<Dim> Deformation<Dim>::stressDivergence(std::size_t i) const {
         result += stress_[i] * n.relation->gradient_sum[i];
         const double control = body_->hourglass_modulus + n.relation->to->hourglass_modulus;
         if (control > 0) {
-            Lanes positions[Dim] = {};
-            addWeighted<Dim>(n.relation->list, n.relation->weight.data(), i, n.position->data(),
-                             positions);
-            for (int c = 0; c < Dim; ++c) sum[c] += control * positions[c];
-            result -= (control * n.relation->weight_sum[i]) * position_[i];
+            addWeighted<Dim>(n.relation->list, n.relation->weight.data(), control, i, position_[i],
+                             n.position->data(), sum);
         }
         for (int c = 0; c < Dim; ++c) result[c] += sumLanes(sum[c]);
     }

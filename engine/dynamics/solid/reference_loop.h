@@ -23,16 +23,18 @@ inline void addOuter(const NeighborList<Dim, double>& list, std::size_t i, const
     }
 }
 
-/// Adds sum_j k_j a_j over the neighbors of i to `sum`, k the weights of their places.
+/// Adds factor sum_j k_j (a_j - own) over the neighbors of i to `sum`, k the weights of their places.
+/// (Differences, so that rounding does not grow with the distance from the origin.)
 template <int Dim>
-inline void addWeighted(const NeighborList<Dim, double>& list, const double* weights,
-                        std::size_t i, const Vec<Dim>* values, Lanes sum[Dim]) {
+inline void addWeighted(const NeighborList<Dim, double>& list, const double* weights, double factor,
+                        std::size_t i, const Vec<Dim>& own, const Vec<Dim>* values,
+                        Lanes sum[Dim]) {
     const double* weight = weights + list.ranges[i].first * lane_count;
     for (const auto& block : list.of(i)) {
         Lanes a[Dim];
         gatherVectors<Dim>(values, block.index, a);
-        const Lanes k = loadLanes(weight);
-        for (int c = 0; c < Dim; ++c) sum[c] += k * a[c];
+        const Lanes k = factor * loadLanes(weight);
+        for (int c = 0; c < Dim; ++c) sum[c] += k * (a[c] - own[c]);
         weight += lane_count;
     }
 }
