@@ -20,6 +20,7 @@ using Lanes = double __attribute__((vector_size(64)));
 using FloatLanes = float __attribute__((vector_size(32)));
 using HalfLanes = double __attribute__((vector_size(32)));
 using LaneMask = std::int64_t __attribute__((vector_size(64)));
+using WholeLanes = std::int32_t __attribute__((vector_size(32)));
 
 inline Lanes lanes(double a) { return Lanes{a, a, a, a, a, a, a, a}; }
 
@@ -46,13 +47,6 @@ inline FloatLanes toFloat(Lanes a) {
 #endif
 }
 
-inline FloatLanes loadFloatLanes(const float* p) {
-    FloatLanes a;
-    std::memcpy(&a, p, sizeof a);
-    return a;
-}
-using WholeLanes = std::int32_t __attribute__((vector_size(32)));
-
 inline Lanes loadLanes(const std::int32_t* p) {
     WholeLanes a;
     std::memcpy(&a, p, sizeof a);
@@ -62,21 +56,15 @@ inline Lanes loadLanes(const std::int32_t* p) {
     return __builtin_convertvector(a, Lanes);
 #endif
 }
-inline Lanes loadLanes(const float* p) { return toLanes(loadFloatLanes(p)); }
 inline void storeLanes(Lanes a, double* p) { std::memcpy(p, &a, sizeof a); }
-inline void storeLanes(Lanes a, float* p) {
-    const FloatLanes b = toFloat(a);
-    std::memcpy(p, &b, sizeof b);
-}
 /// Rounded to the nearest whole numbers, which must be below 2^31.
 inline void storeLanes(Lanes a, std::int32_t* p) {
-    constexpr double shift = 0x1.8p52;  // beside it a double has no fraction
-    const Lanes whole = (a + shift) - shift;
 #if defined(__AVX512DQ__)
     const auto b = reinterpret_cast<WholeLanes>(
-        _mm512_maskz_cvtpd_epi32(0xff, reinterpret_cast<__m512d>(whole)));
+        _mm512_maskz_cvtpd_epi32(0xff, reinterpret_cast<__m512d>(a)));
 #else
-    const WholeLanes b = __builtin_convertvector(whole, WholeLanes);
+    constexpr double shift = 0x1.8p52;  // beside it a double has no fraction
+    const WholeLanes b = __builtin_convertvector((a + shift) - shift, WholeLanes);
 #endif
     std::memcpy(p, &b, sizeof b);
 }
@@ -90,6 +78,19 @@ inline V sqrtLanes(V a) {
 #pragma omp simd
     for (int k = 0; k < lane_count; ++k) r[k] = std::sqrt(a[k]);
     return r;
+}
+
+/// 1/sqrt(a) to the last two or three bits, for a from 1e-30 to 1e30: an estimate and Newton's steps.
+inline Lanes inverseSqrtLanes(Lanes a) {
+    const Lanes half = 0.5 * a;
+#if defined(__AVX512F__)
+    Lanes x =
+        reinterpret_cast<Lanes>(_mm512_maskz_rsqrt14_pd(0xff, reinterpret_cast<__m512d>(a)));
+    x *= 1.5 - half * x * x;
+#else
+    Lanes x = toLanes(1.0f / sqrtLanes(toFloat(a)));
+#endif
+    return x * (1.5 - half * x * x);
 }
 
 /// Sum over the lanes, always in the same order.

@@ -18,7 +18,26 @@ inline void gatherVectors(const Vec<Dim>* values, const std::uint32_t* index, La
     }
 }
 
-/// Eight pairs of particle i with neighbors j, as pair terms see them.
+/// Distances of particle i from its neighbors, block by block.
+template <int Dim>
+class Distances {
+   public:
+    Distances(const NeighborList<Dim>& list, std::size_t i)
+        : at_(list.distancesOf(i)), unit_(list.distanceUnit()) {}
+    /// Of the next eight.
+    Lanes next() {
+        const Lanes r = unit_ * loadLanes(at_);
+        at_ += lane_count;
+        return r;
+    }
+
+   private:
+    const std::int32_t* at_;
+    double unit_;
+};
+
+/// Eight pairs of particle i with neighbors j, as pair terms see them: gradients in the list's
+/// gradient_unit.
 template <int Dim>
 struct Pairs {
     const std::uint32_t* index;  ///< j
@@ -44,20 +63,16 @@ inline Lanes dotLanes(const Lanes a[Dim], const Lanes b[Dim]) {
 }
 
 /// term(Pairs) for all neighbors of i, eight at a time. Unused places have a zero gradient, so a term
-/// that is linear in the gradient needs no mask. The length of the gradient is taken in float: enough
-/// for what it is used for, the same for ij and ji, and much faster.
+/// that is linear in the gradient needs no mask.
 template <int Dim, class Term>
 inline void forEachPair(const NeighborList<Dim>& list, std::size_t i, Term&& term) {
     for (const auto& block : list.of(i)) {
         Pairs<Dim> pairs;
         pairs.index = block.index;
-        for (int c = 0; c < Dim; ++c)
-            pairs.gradient[c] = list.gradient_unit * loadLanes(block.gradient[c]);
+        for (int c = 0; c < Dim; ++c) pairs.gradient[c] = loadLanes(block.gradient[c]);
         const Lanes norm2 = dotLanes<Dim>(pairs.gradient, pairs.gradient);
-        const FloatLanes norm = sqrtLanes(toFloat(norm2));
-        const FloatLanes tiny = FloatLanes{} + 1e-30f;
-        pairs.dW = toLanes(norm);
-        pairs.inverse_dW = toLanes(1.0f / (norm + tiny));
+        pairs.inverse_dW = inverseSqrtLanes(norm2 + 1e-30);
+        pairs.dW = norm2 * pairs.inverse_dW;
         term(pairs);
     }
 }

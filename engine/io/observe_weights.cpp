@@ -41,11 +41,11 @@ void ObserveWeights<Dim>::update() {
             for (std::size_t b = 0; b < seen_.size(); ++b) {
                 const NeighborList<Dim>& list = seen_[b]->list;
                 const Kernel<Dim>& kernel = seen_[b]->to->kernel;
-                const float* distance = list.distancesOf(point);
+                const std::int32_t* distance = list.distancesOf(point);
                 for (std::uint32_t k = 0; k < list.ranges[point].count; ++k) {
                     const Index j = list.of(point)[k / lane_count].index[k % lane_count];
-                    const double weight =
-                        (*volume_[b])[j] * kernel.value(static_cast<double>(distance[k]));
+                    const double r = list.distanceUnit() * distance[k];
+                    const double weight = (*volume_[b])[j] * kernel.value(r);
                     if (!(weight > 0)) continue;
                     weights.push_back({static_cast<std::uint32_t>(b), j, weight});
                     sum += weight;

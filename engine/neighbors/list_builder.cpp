@@ -162,14 +162,16 @@ const SumGrid weights_grid(1000);
 /// Factors of a kernel that its pairs share.
 template <class K, int Dim>
 struct Factors {
-    Factors(const Kernel<Dim>& kernel, double gradient_unit)
+    Factors(const Kernel<Dim>& kernel, double gradient_unit, double distance_unit)
         : inverse_h(1 / kernel.smoothingLength()),
           value(K::sigma * std::pow(inverse_h, Dim)),
-          gradient(kernel.gradientFactor() * value * inverse_h * inverse_h / gradient_unit) {}
+          gradient(kernel.gradientFactor() * value * inverse_h * inverse_h / gradient_unit),
+          per_distance_unit(1 / distance_unit) {}
 
     double inverse_h;
     double value;     // W = value w(q)
     double gradient;  // e W' = gradient_unit gradient (r_i - r_j) dw/q
+    double per_distance_unit;
 };
 
 /// Writes the blocks of one particle and returns the sum of W. The difference of two positions (and
@@ -177,7 +179,7 @@ struct Factors {
 template <class K, bool Shifted, int Dim, class Real>
 double fillBlocks(const Vec<Dim>& xi, const Candidates<Dim>& candidates, std::uint16_t* found,
                   std::size_t n, const Factors<K, Dim>& factors, PairBlock<Dim, Real>* block,
-                  float* distance) {
+                  std::int32_t* distance) {
     // Places beyond the last neighbor repeat the first one.
     for (std::size_t m = n; m % lane_count != 0; ++m) found[m] = found[0];
     constexpr LaneMask lane = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -199,17 +201,20 @@ double fillBlocks(const Vec<Dim>& xi, const Candidates<Dim>& candidates, std::ui
         for (int c = 0; c < Dim; ++c) storeLanes(g * d[c], block->gradient[c]);
         for (int k = 0; k < lane_count; ++k)
             block->index[k] = static_cast<std::uint32_t>(candidates.index[place[k]]);
-        if (distance) storeLanes(r, distance + first);
+        if (distance) storeLanes(factors.per_distance_unit * r, distance + first);
     }
     return factors.value * sum.value();
 }
 
-/// Unit in which all gradients of a list are whole numbers below 2^31: a power of two. No kernel's
-/// slope reaches 16/cutoff^(Dim+1).
+/// Unit in which all gradients of a list are whole numbers below 2^31.
 template <int Dim>
 double wholeUnit(const Kernel<Dim>& kernel) {
-    const double largest = kernel.gradientFactor() * 16 / std::pow(kernel.cutoff(), Dim + 1);
-    return std::ldexp(1.0, std::ilogb(largest) - 30);
+    constexpr int samples = 100;
+    constexpr double between = 1.01;  // a slope between two samples is nearer to them than that
+    double steepest = 0;
+    for (int k = 1; k < samples; ++k)
+        steepest = std::max(steepest, std::abs(kernel.derivative(kernel.cutoff() * k / samples)));
+    return std::ldexp(between * kernel.gradientFactor() * steepest, -31);
 }
 
 template <class K, int Dim, class Real>
@@ -217,12 +222,12 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
            const Kernel<Dim>& kernel, const Domain<Dim>& domain,
            NeighborList<Dim, Real>& list) {
     list.gradient_unit = std::is_integral_v<Real> ? wholeUnit(kernel) : 1;
-    const Factors<K, Dim> factors(kernel, list.gradient_unit);
     const double cutoff = K::reach * kernel.smoothingLength();
+    list.cutoff = cutoff;
+    const Factors<K, Dim> factors(kernel, list.gradient_unit, list.distanceUnit());
     const double cutoff2 = cutoff * cutoff;
     const Images<Dim> images(domain);
     const std::size_t n = from.particles();
-    list.cutoff = cutoff;
     list.ranges.resize(n);
     if (list.keep_kernel_sum) list.kernel_sum.resize(n);
 

@@ -38,9 +38,9 @@ struct NeighborList {
     double gradient_unit = 1;  ///< 1/length^(Dim+1); 1 where gradients are stored in double
     AlignedVector<Range> ranges;
     AlignedVector<Block> blocks;
-    /// r_ij, eight per block, kept on request. Length.
+    /// r_ij, eight per block, kept on request, in units of distanceUnit().
     bool keep_distance = false;
-    AlignedVector<float> distance;
+    AlignedVector<std::int32_t> distance;
     /// Sum over the neighbors of W(r_ij), kept on request. 1/length^Dim.
     bool keep_kernel_sum = false;
     AlignedVector<double> kernel_sum;
@@ -48,9 +48,11 @@ struct NeighborList {
     std::span<const Block> of(std::size_t i) const {
         return {blocks.data() + ranges[i].first, ranges[i].blocks};
     }
-    const float* distancesOf(std::size_t i) const {
+    const std::int32_t* distancesOf(std::size_t i) const {
         return distance.data() + ranges[i].first * lane_count;
     }
+    /// Length. Of it all distances below the cutoff are whole numbers below 2^31.
+    double distanceUnit() const { return cutoff / 2147483000; }
     std::size_t bytes() const {
         return ranges.capacity() * sizeof(Range) + blocks.capacity() * sizeof(Block) +
                4 * distance.capacity() + 8 * kernel_sum.capacity();

@@ -29,9 +29,9 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& bo
       constants_{fluid_->density(), fluid_->soundSpeed()},
       // Weakly compressible: pressures stay below a tenth of rho0 c0^2 and speeds below one of c0;
       // sum_j abs(W') V_j is about 1/spacing.
-      force_grid_(0.1 * constants_.rho0 * constants_.c0 * constants_.c0 *
-                  std::pow(body.spacing, Dim - 1)),
-      rate_grid_(0.1 * constants_.c0 / body.spacing),
+      largest_force_(0.1 * constants_.rho0 * constants_.c0 * constants_.c0 *
+                     std::pow(body.spacing, Dim - 1)),
+      largest_rate_(0.1 * constants_.c0 / body.spacing),
       position_(body.particles.position()),
       velocity_(body.particles.vector(fields::velocity)),
       external_(body.particles.vector(fields::external_acceleration)),
@@ -114,7 +114,8 @@ void PressureRelaxation<Dim>::momentum(double dt) {
     for (int c = 0; c < Dim; ++c)
         if (domain_->periodic[c]) gravity[c] = 0;
     const Vec<Dim> weight = constants_.rho0 * gravity;
-    const SumGrid grid = force_grid_;
+    const double unit = self.gradient_unit;
+    const SumGrid grid(largest_force_ / unit);
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const PairState<Dim>& si = state[i];
@@ -135,9 +136,9 @@ void PressureRelaxation<Dim>::momentum(double dt) {
             const FluidLanes<Dim> fluid = oneFluid<Dim>(v, g, si.p, density_[i]);
             for (const Wall& wall : walls_)
                 addWallPressure<R>(wall.fields, wall.relation->list, i, constants_, fluid, si.V,
-                                   sum);
+                                   unit, sum);
             PairState<Dim>& next = after_[i];
-            const double factor = -dt / mass_[i];
+            const double factor = -dt * unit / mass_[i];
             for (int c = 0; c < Dim; ++c) {
                 const double vc = v[c] + factor * sum[c].value() + dt * g[c];
                 velocity_[i][c] = vc;
@@ -153,6 +154,8 @@ template <int Dim>
 Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
                                           const NeighborList<Dim>& list) const {
     Vec<Dim> force = Vec<Dim>::Zero();
+    const double unit = list.gradient_unit;
+    const SumGrid grid(largest_force_ / unit);
     for (const Wall& wall : walls_) {
         if (wall.relation->to != &solid) continue;
         withRiemann(riemann_, [&]<Riemann R>() {
@@ -162,12 +165,12 @@ Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
                     Vec<Dim> part = Vec<Dim>::Zero();
                     for (std::size_t i = begin; i < end; ++i) {
                         if (list.ranges[i].count == 0) continue;
-                        ExactSums<Dim> sum(force_grid_);
+                        ExactSums<Dim> sum(grid);
                         const FluidLanes<Dim> fluid = oneFluid<Dim>(velocity_[i], external_[i],
                                                                     pressure_[i], density_[i]);
                         addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i],
-                                           sum);
-                        for (int c = 0; c < Dim; ++c) part[c] += sum[c].value();
+                                           unit, sum);
+                        for (int c = 0; c < Dim; ++c) part[c] += unit * sum[c].value();
                     }
                     return part;
                 },
@@ -180,15 +183,17 @@ Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
 template <int Dim>
 void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                                         Field<Vec<Dim>>& force) const {
+    const double unit = list.gradient_unit;
+    const SumGrid grid(largest_force_ / unit);
     for (const Wall& wall : walls_) {
         if (wall.relation->to != &solid) continue;
         withRiemann(riemann_, [&]<Riemann R>() {
             parallelFor(solid.size(), [&](std::size_t j) {
                 if (list.ranges[j].count == 0) return;
-                ExactSums<Dim> sum(force_grid_);
+                ExactSums<Dim> sum(grid);
                 addFluidPressure<R>(wall.fields, list, j, constants_, before_.data(), external_,
                                     density_, sum);
-                for (int c = 0; c < Dim; ++c) force[j][c] -= sum[c].value();
+                for (int c = 0; c < Dim; ++c) force[j][c] -= unit * sum[c].value();
             });
         });
     }
@@ -200,7 +205,8 @@ void PressureRelaxation<Dim>::continuity(double dt) {
     const NeighborList<Dim>& self = self_->list;
     const PairState<Dim>* state = after_.data();
     const double half = 0.5 * dt;
-    const SumGrid grid = rate_grid_;
+    const double unit = self.gradient_unit;
+    const SumGrid grid(largest_rate_ / unit);
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const PairState<Dim>& si = state[i];
@@ -216,8 +222,8 @@ void PressureRelaxation<Dim>::continuity(double dt) {
             const Vec<Dim> v = velocity_[i];
             // The ghost has the fluid's own pressure above the hydrostatic.
             for (const Wall& wall : walls_)
-                addWallClosure<Dim>(wall.fields, wall.relation->list, i, v, sum);
-            const double rate = density_[i] * sum.value();
+                addWallClosure<Dim>(wall.fields, wall.relation->list, i, v, unit, sum);
+            const double rate = density_[i] * (unit * sum.value());
             density_rate_[i] = rate;
             density_[i] += half * rate;
             position_[i] += half * v;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/exact_sum.h"
 #include "dynamics/builder.h"
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/riemann.h"
@@ -64,8 +63,8 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
     const WeaklyCompressibleFluid* fluid_;
     Riemann riemann_;
     RiemannConstants constants_;
-    SumGrid force_grid_;
-    SumGrid rate_grid_;
+    double largest_force_;  // that sums over pairs may reach, and of the rate
+    double largest_rate_;
     const Relation<Dim>* self_ = nullptr;
     std::vector<Wall> walls_;
 

@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/fluid/viscous_force.h"
 
+#include "core/exact_sum.h"
 #include "core/parallel.h"
 #include "dynamics/pair_loop.h"
 
 namespace sphinx::fluid {
 namespace {
 
-/// Adds the terms of eight pairs without factors, with g = e W', W' = -abs(W') and V = V_i V_j:
+/// Adds the terms of eight pairs without factors, in the list's gradient unit, with g = e W',
+/// W' = -abs(W') and V = V_i V_j:
 ///   laplacian   v_ij W'/r V
 ///   central     (v_ij . e) e W'/r V = (v_ij . g) g / (W' r) V
 template <ViscousForm F, int Dim>
-inline void addPairs(const Pairs<Dim>& pair, const Lanes v[Dim], const float* distance, Lanes V,
+inline void addPairs(const Pairs<Dim>& pair, const Lanes v[Dim], Lanes r, Lanes V,
                      ExactSums<Dim>& sum) {
-    const Lanes V_over_r = V / maxLanes(loadLanes(distance), lanes(1e-30));
+    const Lanes V_over_r = V / maxLanes(r, lanes(1e-30));
     if constexpr (F == ViscousForm::laplacian) {
         const Lanes f = -pair.dW * V_over_r;
         for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, v[c]);
@@ -39,26 +41,27 @@ inline double continuation(const Pairs<Dim>& pair, int k, double distance, const
 }
 
 /// The same over the wall particles near the fluid particle i, with the velocity continued into
-/// the wall.
+/// the wall; in the given gradient unit.
 template <ViscousForm F, int Dim, class Wall>
 inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t i,
-                    const Vec<Dim>& v, double V, double nearest, ExactSums<Dim>& sum) {
-    const float* distance = list.distancesOf(i);
+                    const Vec<Dim>& v, double V, double unit, double nearest,
+                    ExactSums<Dim>& sum) {
+    V *= list.gradient_unit / unit;
+    Distances<Dim> distances(list, i);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
+        const Lanes r = distances.next();
         double between[Dim][lane_count];
         for (int k = 0; k < lane_count; ++k) {
             const Index j = pair.index[k];
             const Vec<Dim>& vw = (*wall.velocity)[j];
             const Vec<Dim>& n = (*wall.normal)[j];
             const double continued =
-                continuation<Dim>(pair, k, distance[k], n, (*wall.depth)[j], nearest);
+                continuation<Dim>(pair, k, r[k], n, (*wall.depth)[j], nearest);
             for (int c = 0; c < Dim; ++c) between[c][k] = continued * (v[c] - vw[c]);
         }
         Lanes v_ij[Dim];
         for (int c = 0; c < Dim; ++c) v_ij[c] = loadLanes(between[c]);
-        addPairs<F, Dim>(pair, v_ij, distance, V * gatherLanes(wall.volume->data(), pair.index),
-                         sum);
-        distance += lane_count;
+        addPairs<F, Dim>(pair, v_ij, r, V * gatherLanes(wall.volume->data(), pair.index), sum);
     });
 }
 
@@ -67,23 +70,22 @@ template <ViscousForm F, int Dim, class Wall>
 inline void addFluid(const Wall& wall, const NeighborList<Dim>& list, std::size_t j,
                      const Field<Vec<Dim>>& velocity, const Field<double>& volume, double nearest,
                      ExactSums<Dim>& sum) {
-    const float* distance = list.distancesOf(j);
+    Distances<Dim> distances(list, j);
     const double V = (*wall.volume)[j];
     const Vec<Dim> vw = (*wall.velocity)[j];
     const Vec<Dim> n = (*wall.normal)[j];
     const double depth = (*wall.depth)[j];
     forEachPair(list, j, [&](const Pairs<Dim>& pair) {
+        const Lanes r = distances.next();
         double between[Dim][lane_count];
         for (int k = 0; k < lane_count; ++k) {
             const Vec<Dim>& v = velocity[pair.index[k]];
-            const double continued =
-                continuation<Dim>(pair, k, distance[k], n, depth, nearest);
+            const double continued = continuation<Dim>(pair, k, r[k], n, depth, nearest);
             for (int c = 0; c < Dim; ++c) between[c][k] = continued * (vw[c] - v[c]);
         }
         Lanes v_ji[Dim];
         for (int c = 0; c < Dim; ++c) v_ji[c] = loadLanes(between[c]);
-        addPairs<F, Dim>(pair, v_ji, distance, V * gatherLanes(volume.data(), pair.index), sum);
-        distance += lane_count;
+        addPairs<F, Dim>(pair, v_ji, r, V * gatherLanes(volume.data(), pair.index), sum);
     });
 }
 
@@ -98,8 +100,8 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip
       form_(form),
       // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a few
       // 1/spacing^2.
-      grid_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).soundSpeed() *
-             std::pow(body.spacing, Dim - 2)),
+      largest_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).soundSpeed() *
+               std::pow(body.spacing, Dim - 2)),
       velocity_(body.particles.vector(fields::velocity)),
       external_(body.particles.vector(fields::external_acceleration)),
       mass_(body.particles.scalar(fields::mass)),
@@ -138,12 +140,15 @@ void ViscousForce<Dim>::run(int, const Clock& clock) {
 template <int Dim>
 template <ViscousForm F>
 void ViscousForce<Dim>::accelerate() {
+    const double unit = self_->list.gradient_unit;
+    const SumGrid grid(largest_ / unit);
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vec<Dim> v = velocity_[i];
-            ExactSums<Dim> sum(grid_);
-            const float* distance = self_->list.distancesOf(i);
+            ExactSums<Dim> sum(grid);
+            Distances<Dim> distances(self_->list, i);
             forEachPair(self_->list, i, [&](const Pairs<Dim>& pair) {
+                const Lanes r = distances.next();
                 double between[Dim][lane_count];
                 for (int k = 0; k < lane_count; ++k) {
                     const Vec<Dim>& vj = velocity_[pair.index[k]];
@@ -151,13 +156,12 @@ void ViscousForce<Dim>::accelerate() {
                 }
                 Lanes v_ij[Dim];
                 for (int c = 0; c < Dim; ++c) v_ij[c] = loadLanes(between[c]);
-                addPairs<F, Dim>(pair, v_ij, distance,
+                addPairs<F, Dim>(pair, v_ij, r,
                                  volume_[i] * gatherLanes(volume_.data(), pair.index), sum);
-                distance += lane_count;
             });
             for (const Wall& wall : walls_)
-                addWall<F, Dim>(wall, wall.relation->list, i, v, volume_[i], nearest_, sum);
-            const double scale = factor<F>() / mass_[i];
+                addWall<F, Dim>(wall, wall.relation->list, i, v, volume_[i], unit, nearest_, sum);
+            const double scale = unit * factor<F>() / mass_[i];
             for (int c = 0; c < Dim; ++c) external_[i][c] += scale * sum[c].value();
         }
     });
@@ -175,15 +179,17 @@ Vec<Dim> ViscousForce<Dim>::forceOn(const Body<Dim>& solid, const NeighborList<D
 template <int Dim>
 template <ViscousForm F>
 Vec<Dim> ViscousForce<Dim>::forceOn(const Wall& wall, const NeighborList<Dim>& list) const {
+    const double unit = list.gradient_unit;
+    const SumGrid grid(largest_ / unit);
     return parallelReduce(
         body_->size(), Vec<Dim>(Vec<Dim>::Zero()),
         [&](std::size_t begin, std::size_t end) {
             Vec<Dim> part = Vec<Dim>::Zero();
             for (std::size_t i = begin; i < end; ++i) {
                 if (list.ranges[i].count == 0) continue;
-                ExactSums<Dim> sum(grid_);
-                addWall<F, Dim>(wall, list, i, velocity_[i], volume_[i], nearest_, sum);
-                for (int c = 0; c < Dim; ++c) part[c] -= factor<F>() * sum[c].value();
+                ExactSums<Dim> sum(grid);
+                addWall<F, Dim>(wall, list, i, velocity_[i], volume_[i], unit, nearest_, sum);
+                for (int c = 0; c < Dim; ++c) part[c] -= unit * factor<F>() * sum[c].value();
             }
             return part;
         },
@@ -206,11 +212,13 @@ template <int Dim>
 template <ViscousForm F>
 void ViscousForce<Dim>::addForces(const Wall& wall, const NeighborList<Dim>& list,
                                   Field<Vec<Dim>>& force) const {
+    const double unit = list.gradient_unit;
+    const SumGrid grid(largest_ / unit);
     parallelFor(list.ranges.size(), [&](std::size_t j) {
         if (list.ranges[j].count == 0) return;
-        ExactSums<Dim> sum(grid_);
+        ExactSums<Dim> sum(grid);
         addFluid<F, Dim>(wall, list, j, velocity_, volume_, nearest_, sum);
-        for (int c = 0; c < Dim; ++c) force[j][c] += factor<F>() * sum[c].value();
+        for (int c = 0; c < Dim; ++c) force[j][c] += unit * factor<F>() * sum[c].value();
     });
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/exact_sum.h"
 #include "dynamics/builder.h"
 #include "dynamics/fluid/solid_load.h"
 #include "dynamics/fluid/wall_fields.h"
@@ -78,7 +77,7 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
     double mu_;
     double nearest_;  // least distance of a fluid particle from a wall that is told apart
     ViscousForm form_;
-    SumGrid grid_;
+    double largest_;  // that sums over pairs may reach
     const Relation<Dim>* self_ = nullptr;
     std::vector<Wall> walls_;
     Field<Vec<Dim>>& velocity_;

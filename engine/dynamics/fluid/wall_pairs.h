@@ -75,10 +75,12 @@ inline FluidLanes<Dim> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, double p, 
 }
 
 /// Adds -2 n . e_ij W' V_j times the speed of closing in, over the wall particles j near the fluid
-/// particle i.
+/// particle i, in the given gradient unit.
 template <int Dim>
 inline void addWallClosure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
-                           std::size_t i, const Vec<Dim>& velocity, ExactSum& sum) {
+                           std::size_t i, const Vec<Dim>& velocity, double unit,
+                           ExactSum& sum) {
+    const double factor = -2 * list.gradient_unit / unit;
     Lanes v[Dim];
     spread<Dim>(velocity, v);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
@@ -86,38 +88,40 @@ inline void addWallClosure(const WallFields<Dim>& fields, const NeighborList<Dim
         gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
         gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
         const Lanes closing = closingSpeed<Dim>(v, wall, pair.gradient);
-        sum.addProduct(-2.0 * closing * dotLanes<Dim>(wall.n, pair.gradient),
+        sum.addProduct(factor * closing * dotLanes<Dim>(wall.n, pair.gradient),
                        gatherLanes(fields.volume->data(), pair.index));
     });
 }
 
-/// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the wall particles j near one fluid particle i.
+/// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the wall particles j near one fluid particle i, in the given
+/// gradient unit.
 template <Riemann R, int Dim>
 inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                             std::size_t i, const RiemannConstants& constants,
-                            const FluidLanes<Dim>& fluid, double V, ExactSums<Dim>& sum) {
-    const float* r = list.distancesOf(i);
+                            const FluidLanes<Dim>& fluid, double V, double unit,
+                            ExactSums<Dim>& sum) {
+    V *= list.gradient_unit / unit;
+    Distances<Dim> distances(list, i);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
         gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
         if (fields.acceleration) gatherVectors<Dim>(fields.acceleration->data(), pair.index, wall.a);
         gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
         const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, pair.gradient,
-                                                   pair.inverse_dW, loadLanes(r));
+                                                   pair.inverse_dW, distances.next());
         const Lanes f = p2 * (V * gatherLanes(fields.volume->data(), pair.index));
         for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
-        r += lane_count;
     });
 }
 
 /// The same for one wall particle j over the fluid particles i near it, from the states that the
-/// fluid has packed: adds sum_i 2 p*_ij e_ji W' V_i V_j.
+/// fluid has packed: adds sum_i 2 p*_ij e_ji W' V_i V_j in the list's gradient unit.
 template <Riemann R, int Dim>
 inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                              std::size_t j, const RiemannConstants& constants,
                              const PairState<Dim>* states, const Field<Vec<Dim>>& external,
                              const Field<double>& density, ExactSums<Dim>& sum) {
-    const float* r = list.distancesOf(j);
+    Distances<Dim> distances(list, j);
     const double V = (*fields.volume)[j];
     forEachPair(list, j, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
@@ -133,10 +137,9 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         Lanes gradient[Dim];
         for (int c = 0; c < Dim; ++c) gradient[c] = -pair.gradient[c];
         const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, gradient,
-                                                   pair.inverse_dW, loadLanes(r));
+                                                   pair.inverse_dW, distances.next());
         const Lanes f = p2 * (V * state.V);
         for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
-        r += lane_count;
     });
 }
 
