@@ -4,6 +4,7 @@
 
 #include "core/errors.h"
 #include "core/exact_sum.h"
+#include "core/huge_pages.h"
 #include "core/parallel.h"
 
 #include <algorithm>
@@ -298,7 +299,9 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
         parallelRanges(from.cells(), cells, 64);
         if (!full) return;
         slots = std::max(1.2 * slots, 1.2 * static_cast<double>(needed) / static_cast<double>(n));
+        list.blocks = {};  // nothing of it is needed any more
         list.blocks.resize(static_cast<std::size_t>(std::ceil(slots * static_cast<double>(n))));
+        adviseHugePages(list.blocks.data(), list.blocks.size() * sizeof(PairBlock<Dim, Real>));
         slots = static_cast<double>(list.blocks.size()) / static_cast<double>(n);
     }
 }
