@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/build_world.h"
 
+#include "case/check_elastic.h"
 #include "case/check_loads.h"
 #include "case/check_particles.h"
 #include "case/check_walls.h"
@@ -123,6 +124,7 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
     if (particles) {
         fillParts(model, *world);
         checkParticles(model, *world, diagnostics);
+        checkElastic(model, *world, diagnostics);
         checkWalls(model, *world, diagnostics);
         checkLoads(model, *world, diagnostics);
     }

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/check_elastic.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <limits>
+
+namespace sphinx::model {
+
+template <int Dim>
+void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+    for (const Body& source : model.bodies) {
+        if (!isElastic(model, source)) continue;
+        sphinx::Body<Dim>& body = *world.find(source.name);
+        for (int axis = 0; axis < Dim; ++axis) {
+            if (!world.domain.periodic[axis]) continue;
+            double low = std::numeric_limits<double>::infinity();
+            double high = -low;
+            for (const sphinx::Body<Dim>* piece : body.piece())
+                for (std::size_t i = 0; i < piece->size(); ++i) {
+                    low = std::min(low, piece->particles.position()[i][axis]);
+                    high = std::max(high, piece->particles.position()[i][axis]);
+                }
+            const double gap = world.domain.bounds.upper[axis] - world.domain.bounds.lower[axis] -
+                               (high - low);
+            const double reach = body.kernel.cutoff();
+            if (!(gap < reach)) continue;
+            diagnostics.error(
+                source.place,
+                fmt::format("{} is elastic and reaches across the periodic side in {}: its particles "
+                            "must leave a gap of {:g} or more, here it is {:g}",
+                            body.name, "xyz"[axis], reach, std::max(gap, 0.0)));
+            break;
+        }
+    }
+}
+
+template void checkElastic(const Case&, const World<2>&, input::Diagnostics&);
+template void checkElastic(const Case&, const World<3>&, input::Diagnostics&);
+
+}  // namespace sphinx::model
