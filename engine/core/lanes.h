@@ -102,6 +102,19 @@ inline double sumLanes(Lanes a) {
     return q[0] + q[1];
 }
 
+/// The sums of four, each as sumLanes() makes it.
+inline HalfLanes sumLanes(Lanes a, Lanes b, Lanes c, Lanes d) {
+    const auto half = [](Lanes v) {
+        return __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
+    };
+    const auto quarters = [](HalfLanes v, HalfLanes w) {
+        return __builtin_shufflevector(v, w, 0, 1, 4, 5) + __builtin_shufflevector(v, w, 2, 3, 6, 7);
+    };
+    const HalfLanes ab = quarters(half(a), half(b));
+    const HalfLanes cd = quarters(half(c), half(d));
+    return __builtin_shufflevector(ab, cd, 0, 2, 4, 6) + __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
+}
+
 /// Bit k is set where lane k of a comparison is true.
 inline unsigned maskBits(LaneMask mask) {
 #if defined(__AVX512DQ__)
@@ -144,6 +157,24 @@ inline void gatherRecords(const double* base, const std::uint32_t* index, Lanes 
     out[1] = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
     out[2] = __builtin_shufflevector(c, d, 0, 1, 2, 3, 8, 9, 10, 11);
     out[3] = __builtin_shufflevector(c, d, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
+/// Records of two doubles, in the same way.
+inline void gatherPairs(const double* base, const std::uint32_t* index, Lanes out[2]) {
+    using Pair = double __attribute__((vector_size(16)));
+    const auto row = [&](int k) {
+        Pair a;
+        std::memcpy(&a, base + std::size_t{2} * index[k], sizeof a);
+        return a;
+    };
+    const auto join = [&](int k) { return __builtin_shufflevector(row(k), row(k + 1), 0, 1, 2, 3); };
+    const auto joinHalves = [](HalfLanes a, HalfLanes b) {
+        return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+    };
+    const Lanes a = joinHalves(join(0), join(2));
+    const Lanes b = joinHalves(join(4), join(6));
+    out[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+    out[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
 }
 
 }  // namespace sphinx

@@ -12,9 +12,13 @@ namespace sphinx {
 /// Vectors of eight particles by components.
 template <int Dim>
 inline void gatherVectors(const Vec<Dim>* values, const std::uint32_t* index, Lanes (&out)[Dim]) {
-    for (int c = 0; c < Dim; ++c) {
-        const auto at = [&](int k) { return values[index[k]][c]; };
-        out[c] = Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+    if constexpr (Dim == 2) {
+        gatherPairs(values->data(), index, out);
+    } else {
+        for (int c = 0; c < Dim; ++c) {
+            const auto at = [&](int k) { return values[index[k]][c]; };
+            out[c] = Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+        }
     }
 }
 

@@ -11,7 +11,7 @@ namespace sphinx {
 
 /// C = F^T F, exactly symmetric.
 template <int Dim>
-Mat<Dim> rightCauchyGreen(const Mat<Dim>& F) {
+inline Mat<Dim> rightCauchyGreen(const Mat<Dim>& F) {
     Mat<Dim> C = F.transpose() * F;
     for (int c = 0; c < Dim; ++c)
         for (int d = 0; d < c; ++d) C(c, d) = C(d, c);

@@ -77,10 +77,10 @@ Mat<Dim> Deformation<Dim>::difference(std::size_t i, const Vec<Dim>& own,
     for (const Neighbors& n : neighbors_) {
         Lanes sum[Dim][Dim] = {};
         addOuter<Dim>(n.relation->list, i, (n.*values)->data(), sum);
-        const Vec<Dim>& total = n.relation->gradient_sum[i];
-        for (int c = 0; c < Dim; ++c)
-            for (int d = 0; d < Dim; ++d)
-                result(c, d) += sumLanes(sum[c][d]) - own[c] * total[d];
+        const Mat<Dim> total = sumMatrix<Dim>(sum);
+        const Vec<Dim>& weight = n.relation->gradient_sum[i];
+        for (int d = 0; d < Dim; ++d)
+            for (int c = 0; c < Dim; ++c) result(c, d) += total(c, d) - own[c] * weight[d];
     }
     return result;
 }
@@ -140,7 +140,10 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
                 S += (0.5 * eta) * (FtR + FtR.transpose());
             }
             // The control's - c k_ij (F_i + F_j) R_ij has the form of a stress, k_ij R_ij = -g_ij.
-            stress_[i] = F * S * correction_[i].transpose() - control * F;
+            const Mat<Dim> P = F * S;
+            Mat<Dim> T = P * correction_[i].transpose();
+            T -= control * F;
+            stress_[i] = T;
             density_[i] = rho0 / J;
         }
     });

@@ -5,6 +5,8 @@
 #include "dynamics/pair_loop.h"
 #include "neighbors/relations.h"
 
+#include <cstring>
+
 // Sums over neighbors in the reference configuration, eight at a time.
 // gradient = e_ij W'_ij V_j, 1/length; unused places have a zero gradient.
 namespace sphinx::solid {
@@ -21,6 +23,20 @@ inline void addOuter(const NeighborList<Dim, double>& list, std::size_t i, const
             for (int c = 0; c < Dim; ++c) sum[c][d] += a[c] * g;
         }
     }
+}
+
+/// The sums over the lanes of a matrix of them.
+template <int Dim>
+inline Mat<Dim> sumMatrix(const Lanes (&sum)[Dim][Dim]) {
+    Mat<Dim> result;
+    if constexpr (Dim == 2) {
+        const HalfLanes columns = sumLanes(sum[0][0], sum[1][0], sum[0][1], sum[1][1]);
+        std::memcpy(result.data(), &columns, sizeof columns);
+    } else {
+        for (int c = 0; c < Dim; ++c)
+            for (int d = 0; d < Dim; ++d) result(c, d) = sumLanes(sum[c][d]);
+    }
+    return result;
 }
 
 /// Adds factor sum_j k_j (a_j - own) over the neighbors of i to `sum`, k the weights of their places.
