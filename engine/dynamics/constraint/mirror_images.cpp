@@ -78,21 +78,24 @@ void link(const Surroundings<Dim>& around, const Kernel<Dim>& kernel, Index imag
         p << 1, around.offset(j, point) / spacing;
         return p;
     };
-    Eigen::Matrix<double, Dim + 1, Dim + 1> moment;
+    const auto near = [&](Index j) {
+        return kernel.value(around.offset(j, point).norm()) / kernel.value(0);
+    };
+    Eigen::Matrix<double, Dim + 1, Dim + 1> moment, inverse;
     moment.setZero();
     around.forEach(center, [&](Index j) {
         const Basis p = basis(j);
-        moment += kernel.value(around.offset(j, point).norm()) * p * p.transpose();
+        moment += near(j) * p * p.transpose();
     });
-    const Eigen::FullPivLU<decltype(moment)> solver(moment);
-    if (!solver.isInvertible()) {  // in a row: no linear field
+    bool invertible = false;
+    moment.computeInverseWithCheck(inverse, invertible, 1e-9);
+    if (!invertible) {  // in a row: no linear field
         links.push_back({image, center, -1});
         return;
     }
-    const Basis unit = Basis::Unit(0);
-    const Basis factors = solver.solve(unit);
+    const Basis factors = inverse.col(0);
     around.forEach(center, [&](Index j) {
-        const double weight = kernel.value(around.offset(j, point).norm()) * factors.dot(basis(j));
+        const double weight = near(j) * factors.dot(basis(j));
         if (weight != 0) links.push_back({image, j, -weight});
     });
 }
