@@ -2,14 +2,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check_elastic.h"
 
+#include "dynamics/solid/stress_relaxation.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <string>
 
 namespace sphinx::model {
+namespace {
+
+void checkHourglassControl(const Case& model, input::Diagnostics& diagnostics) {
+    std::map<std::string, const Component*> firsts;  // by body
+    for (const Component& method : model.dynamics) {
+        if (method.declaration->name() != "solid.stress_relaxation") continue;
+        const auto& p = method.as<solid::StressRelaxationParameters>();
+        const Component& first = *firsts.emplace(p.body.text, &method).first->second;
+        const auto& known = first.as<solid::StressRelaxationParameters>();
+        if (known.hourglass_control == p.hourglass_control) continue;
+        diagnostics.error(method.placeOf("hourglass_control"),
+                          fmt::format("hourglass_control is {} here but {} in {}: a body has one",
+                                      p.hourglass_control, known.hourglass_control, first.name));
+    }
+}
+
+}  // namespace
 
 template <int Dim>
 void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+    checkHourglassControl(model, diagnostics);
     for (const Body& source : model.bodies) {
         if (!isElastic(model, source)) continue;
         sphinx::Body<Dim>& body = *world.find(source.name);
