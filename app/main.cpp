@@ -57,9 +57,13 @@ double readDuration(const std::string& text) {
         used = 0;
     }
     const std::string unit = text.substr(used);
-    const double factor = unit.empty() || unit == "s" ? 1 : unit == "min" ? 60 : unit == "h" ? 3600 : 0;
+    const double factor = unit.empty() || unit == "s" ? 1
+                          : unit == "min"             ? 60
+                          : unit == "h"               ? 3600
+                                                      : 0;
     if (used == 0 || factor == 0 || !(value > 0))
-        throw CaseError("error: --time-limit is '" + text + "' but must be a time like 3h, 90min or 45s");
+        throw CaseError("error: --time-limit is '" + text +
+                        "' but must be a time like 3h, 90min or 45s");
     return value * factor;
 }
 

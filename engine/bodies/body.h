@@ -31,12 +31,12 @@ struct Body {
     std::string name;
     BodyKind kind = BodyKind::fluid;
     ParticleSet<Dim> particles;
-    std::shared_ptr<const Material> material;     ///< null for observers
-    geometry::ShapePointer<Dim> shape;            ///< null for bodies given by points
-    double spacing = 0;                           ///< dp, length
+    std::shared_ptr<const Material> material;  ///< null for observers
+    geometry::ShapePointer<Dim> shape;         ///< null for bodies given by points
+    double spacing = 0;                        ///< dp, length
     Kernel<Dim> kernel;
-    Vec<Dim> gravity = Vec<Dim>::Zero();          ///< sum of its uniform gravities, acceleration
-    std::vector<Body*> sees;                      ///< topology: whose particles act on this body
+    Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
+    std::vector<Body*> sees;              ///< topology: whose particles act on this body
     /// Neighbors that are one piece of material with this body (topology: bonded).
     std::vector<Body*> bonded;
     std::vector<BodyPart<Dim>> parts;

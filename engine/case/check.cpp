@@ -110,9 +110,8 @@ std::string outputsText(const Case& model, const Outputs<Dim>& outputs,
     const auto space = std::filesystem::space(".", error);
     if (!error && sum > static_cast<double>(space.available))
         diagnostics.warning(
-            place,
-            fmt::format("the outputs may need {}, but the disk of this folder has {} left",
-                        sizeText(sum), sizeText(static_cast<double>(space.available))));
+            place, fmt::format("the outputs may need {}, but the disk of this folder has {} left",
+                               sizeText(sum), sizeText(static_cast<double>(space.available))));
     return text;
 }
 

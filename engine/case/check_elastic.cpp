@@ -44,15 +44,16 @@ void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics
                     low = std::min(low, piece->particles.position()[i][axis]);
                     high = std::max(high, piece->particles.position()[i][axis]);
                 }
-            const double gap = world.domain.bounds.upper[axis] - world.domain.bounds.lower[axis] -
-                               (high - low);
+            const double gap =
+                world.domain.bounds.upper[axis] - world.domain.bounds.lower[axis] - (high - low);
             const double reach = body.kernel.cutoff();
             if (!(gap < reach)) continue;
             diagnostics.error(
                 source.place,
-                fmt::format("{} is elastic and reaches across the periodic side in {}: its particles "
-                            "must leave a gap of {:g} or more, here it is {:g}",
-                            body.name, "xyz"[axis], reach, std::max(gap, 0.0)));
+                fmt::format(
+                    "{} is elastic and reaches across the periodic side in {}: its particles "
+                    "must leave a gap of {:g} or more, here it is {:g}",
+                    body.name, "xyz"[axis], reach, std::max(gap, 0.0)));
             break;
         }
     }

@@ -68,15 +68,15 @@ void checkSurface(const Component& method, const World<Dim>& world,
 }
 
 template <int Dim>
-void checkClamp(const Component& method, const World<Dim>& world,
-                input::Diagnostics& diagnostics) {
+void checkClamp(const Component& method, const World<Dim>& world, input::Diagnostics& diagnostics) {
     const auto& p = method.as<constraint::ClampParameters>();
     const sphinx::Part<Dim> part(world, p.part);
     if (part.size() < part.body().size()) return;
-    diagnostics.error(p.part.place,
-                      fmt::format("nothing of {} would be left to move: a clamp needs a part of it, "
-                                  "on whose surface it holds the other particles",
-                                  part.body().name));
+    diagnostics.error(
+        p.part.place,
+        fmt::format("nothing of {} would be left to move: a clamp needs a part of it, "
+                    "on whose surface it holds the other particles",
+                    part.body().name));
 }
 
 }  // namespace

@@ -49,8 +49,7 @@ void checkInitialValues(const Body& source, sphinx::Body<Dim>& body,
     const auto& density = particles.scalar(fields::density);
     for (std::size_t i = 0; i < body.size(); ++i) {
         const Vec<Dim>& x = particles.position()[i];
-        if (!velocity[i].allFinite())
-            return report("speed", velocity[i].norm(), x);
+        if (!velocity[i].allFinite()) return report("speed", velocity[i].norm(), x);
         if (source.initial.pressure) {
             const double pressure = particles.scalar(fields::pressure)[i];
             if (!std::isfinite(pressure)) return report("pressure", pressure, x);
@@ -129,11 +128,11 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
         const double spacing = source.spacing(model.resolution);
         const Vec<Dim> cells = shape.bounds().size() / spacing;
         if (!(cells.prod() <= most_lattice_points && cells.maxCoeff() <= most_lattice_points))
-            diagnostics.error(source.place,
-                              fmt::format("the lattice of spacing {:g} has {:.3g} points in the box "
-                                          "around {}; the most is {:.0e}",
-                                          spacing, cells.prod(), source.name,
-                                          most_lattice_points));
+            diagnostics.error(
+                source.place,
+                fmt::format("the lattice of spacing {:g} has {:.3g} points in the box "
+                            "around {}; the most is {:.0e}",
+                            spacing, cells.prod(), source.name, most_lattice_points));
     }
 }
 

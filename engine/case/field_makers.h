@@ -8,8 +8,8 @@
 
 namespace sphinx::model {
 
-/// What each type of method computes from scratch: fields of its own body that an action of it writes and
-/// does not read. For advice where a case lacks one.
+/// What each type of method computes from scratch: fields of its own body that an action of it
+/// writes and does not read. For advice where a case lacks one.
 std::vector<loop::FieldMaker> fieldMakers();
 
 }  // namespace sphinx::model

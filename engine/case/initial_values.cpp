@@ -60,9 +60,8 @@ std::vector<std::string> initialFields(const Case& model, const Body& body) {
     std::vector<std::string> names{"velocity", "acceleration", "density", "mass", "volume"};
     if (hasFibres(model, body)) names.insert(names.end(), {"fibre", "sheet"});
     if (isElastic(model, body))
-        names.insert(names.end(),
-                     {"external_acceleration", "pressure_force", "viscous_force",
-                      "average_velocity", "average_acceleration"});
+        names.insert(names.end(), {"external_acceleration", "pressure_force", "viscous_force",
+                                   "average_velocity", "average_acceleration"});
     if (keepsInitialPosition(model, body)) names.emplace_back("initial_position");
     return names;
 }

@@ -78,9 +78,7 @@ void declareDomain(Registry& registry) {
                "corner of the smallest coordinates; default: that of all shapes");
     d.optional("upper", &P::upper, coordinates(unit::length),
                "corner of the largest coordinates; default: that of all shapes");
-    d.optional("periodic", &P::periodic,
-               axes(),
-               "axes along which the domain repeats");
+    d.optional("periodic", &P::periodic, axes(), "axes along which the domain repeats");
     d.optional(
         "lost_particles", &P::lost,
         choice<LostParticles>(

@@ -34,10 +34,9 @@ class SenseCheck {
             if (step.every)
                 diagnostics_.error(step.run.place, "start happens once: 'every' has no meaning");
             if (step.window.limited())
-                diagnostics_.error(
-                    step.run.place,
-                    std::string("start happens once: '") +
-                        (step.window.from ? "from" : "until") + "' has no meaning");
+                diagnostics_.error(step.run.place, std::string("start happens once: '") +
+                                                       (step.window.from ? "from" : "until") +
+                                                       "' has no meaning");
         }
     }
 

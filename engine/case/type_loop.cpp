@@ -135,9 +135,10 @@ class StepType final : public TypeBase {
             step.window = {run.from, run.until};
             return true;
         }
-        return reader.error(node, reader.label + " is " + describeNode(node) +
-                                      " but must be METHOD, METHOD.ACTION, {run: METHOD, "
-                                      "every: ..., from: ..., until: ...} or {layer: NAME, dt: ..., steps: [...]}");
+        return reader.error(
+            node, reader.label + " is " + describeNode(node) +
+                      " but must be METHOD, METHOD.ACTION, {run: METHOD, "
+                      "every: ..., from: ..., until: ...} or {layer: NAME, dt: ..., steps: [...]}");
     }
     Node write(const void* value, const Node* source) const override {
         const auto& step = *static_cast<const StepBlock*>(value);
@@ -168,7 +169,8 @@ class StepType final : public TypeBase {
         });
     }
     std::string text() const override {
-        return "METHOD | METHOD.ACTION | {run: METHOD, every: ..., from: T, until: T} | a nested layer, see 'layer'";
+        return "METHOD | METHOD.ACTION | {run: METHOD, every: ..., from: T, until: T} | a nested "
+               "layer, see 'layer'";
     }
 
     explicit StepType(const Registry& registry) : registry_(registry) {}

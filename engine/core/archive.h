@@ -12,7 +12,7 @@ namespace sphinx {
 /// that what is written is what is read. Values are exact (bitwise) in both directions.
 /// Small state only (clocks, triggers, counters); particle fields are written by io as arrays.
 class Archive {
-   public:
+ public:
     virtual ~Archive() = default;
 
     virtual bool loading() const = 0;
@@ -28,13 +28,13 @@ class Archive {
 
 /// Keeps enter and leave paired.
 class Section {
-   public:
+ public:
     Section(Archive& archive, std::string_view name) : archive_(archive) { archive_.enter(name); }
     ~Section() { archive_.leave(); }
     Section(const Section&) = delete;
     Section& operator=(const Section&) = delete;
 
-   private:
+ private:
     Archive& archive_;
 };
 

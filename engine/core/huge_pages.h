@@ -10,8 +10,8 @@
 
 namespace sphinx {
 
-/// Asks for pages of 2 MiB behind a large buffer that has not been touched yet: streaming through it
-/// then misses no address. Where the system has none, nothing changes.
+/// Asks for pages of 2 MiB behind a large buffer that has not been touched yet: streaming through
+/// it then misses no address. Where the system has none, nothing changes.
 inline void adviseHugePages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
     constexpr std::uintptr_t huge = std::uintptr_t{1} << 21;

@@ -40,8 +40,7 @@ inline Lanes toLanes(FloatLanes a) {
 }
 inline FloatLanes toFloat(Lanes a) {
 #if defined(__AVX512DQ__)
-    return reinterpret_cast<FloatLanes>(
-        _mm512_maskz_cvtpd_ps(0xff, reinterpret_cast<__m512d>(a)));
+    return reinterpret_cast<FloatLanes>(_mm512_maskz_cvtpd_ps(0xff, reinterpret_cast<__m512d>(a)));
 #else
     return __builtin_convertvector(a, FloatLanes);
 #endif
@@ -60,8 +59,8 @@ inline void storeLanes(Lanes a, double* p) { std::memcpy(p, &a, sizeof a); }
 /// Rounded to the nearest whole numbers, which must be below 2^31.
 inline void storeLanes(Lanes a, std::int32_t* p) {
 #if defined(__AVX512DQ__)
-    const auto b = reinterpret_cast<WholeLanes>(
-        _mm512_maskz_cvtpd_epi32(0xff, reinterpret_cast<__m512d>(a)));
+    const auto b =
+        reinterpret_cast<WholeLanes>(_mm512_maskz_cvtpd_epi32(0xff, reinterpret_cast<__m512d>(a)));
 #else
     constexpr double shift = 0x1.8p52;  // beside it a double has no fraction
     const WholeLanes b = __builtin_convertvector((a + shift) - shift, WholeLanes);
@@ -80,12 +79,12 @@ inline V sqrtLanes(V a) {
     return r;
 }
 
-/// 1/sqrt(a) to the last two or three bits, for a from 1e-30 to 1e30: an estimate and Newton's steps.
+/// 1/sqrt(a) to the last two or three bits, for a from 1e-30 to 1e30: an estimate and Newton's
+/// steps.
 inline Lanes inverseSqrtLanes(Lanes a) {
     const Lanes half = 0.5 * a;
 #if defined(__AVX512F__)
-    Lanes x =
-        reinterpret_cast<Lanes>(_mm512_maskz_rsqrt14_pd(0xff, reinterpret_cast<__m512d>(a)));
+    Lanes x = reinterpret_cast<Lanes>(_mm512_maskz_rsqrt14_pd(0xff, reinterpret_cast<__m512d>(a)));
     x *= 1.5 - half * x * x;
 #else
     Lanes x = toLanes(1.0f / sqrtLanes(toFloat(a)));
@@ -96,8 +95,8 @@ inline Lanes inverseSqrtLanes(Lanes a) {
 /// Sum over the lanes, always in the same order.
 inline double sumLanes(Lanes a) {
     using Pair = double __attribute__((vector_size(16)));
-    const HalfLanes h = __builtin_shufflevector(a, a, 0, 1, 2, 3) +
-                        __builtin_shufflevector(a, a, 4, 5, 6, 7);
+    const HalfLanes h =
+        __builtin_shufflevector(a, a, 0, 1, 2, 3) + __builtin_shufflevector(a, a, 4, 5, 6, 7);
     const Pair q = __builtin_shufflevector(h, h, 0, 1) + __builtin_shufflevector(h, h, 2, 3);
     return q[0] + q[1];
 }
@@ -105,14 +104,17 @@ inline double sumLanes(Lanes a) {
 /// The sums of four, each as sumLanes() makes it.
 inline HalfLanes sumLanes(Lanes a, Lanes b, Lanes c, Lanes d) {
     const auto half = [](Lanes v) {
-        return __builtin_shufflevector(v, v, 0, 1, 2, 3) + __builtin_shufflevector(v, v, 4, 5, 6, 7);
+        return __builtin_shufflevector(v, v, 0, 1, 2, 3) +
+               __builtin_shufflevector(v, v, 4, 5, 6, 7);
     };
     const auto quarters = [](HalfLanes v, HalfLanes w) {
-        return __builtin_shufflevector(v, w, 0, 1, 4, 5) + __builtin_shufflevector(v, w, 2, 3, 6, 7);
+        return __builtin_shufflevector(v, w, 0, 1, 4, 5) +
+               __builtin_shufflevector(v, w, 2, 3, 6, 7);
     };
     const HalfLanes ab = quarters(half(a), half(b));
     const HalfLanes cd = quarters(half(c), half(d));
-    return __builtin_shufflevector(ab, cd, 0, 2, 4, 6) + __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
+    return __builtin_shufflevector(ab, cd, 0, 2, 4, 6) +
+           __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
 }
 
 /// Bit k is set where lane k of a comparison is true.
@@ -167,7 +169,9 @@ inline void gatherPairs(const double* base, const std::uint32_t* index, Lanes ou
         std::memcpy(&a, base + std::size_t{2} * index[k], sizeof a);
         return a;
     };
-    const auto join = [&](int k) { return __builtin_shufflevector(row(k), row(k + 1), 0, 1, 2, 3); };
+    const auto join = [&](int k) {
+        return __builtin_shufflevector(row(k), row(k + 1), 0, 1, 2, 3);
+    };
     const auto joinHalves = [](HalfLanes a, HalfLanes b) {
         return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
     };

@@ -19,7 +19,7 @@ struct OutputFile {
 /// One entry of `outputs`. It reads particles and writes files; it never changes the physics and
 /// never a time step.
 class Output {
-   public:
+ public:
     virtual ~Output() = default;
 
     /// What it writes; no two outputs of a run may write the same.

@@ -8,13 +8,11 @@ namespace sphinx {
 
 /// Wall-clock seconds since construction or the last restart().
 class Timer {
-   public:
-    double seconds() const {
-        return std::chrono::duration<double>(Now::now() - start_).count();
-    }
+ public:
+    double seconds() const { return std::chrono::duration<double>(Now::now() - start_).count(); }
     void restart() { start_ = Now::now(); }
 
-   private:
+ private:
     using Now = std::chrono::steady_clock;
     Now::time_point start_ = Now::now();
 };

@@ -15,7 +15,7 @@ namespace sphinx {
 /// One entry of `dynamics`: it acts when a line of the loop calls it. A virtual call a line, never
 /// one a particle.
 class Method {
-   public:
+ public:
     virtual ~Method() = default;
 
     /// Runs the action of that index in the declaration (methods without named actions have one).
@@ -28,7 +28,7 @@ class Method {
 
 /// A method that a layer's `dt` may name.
 class TimeStepMethod {
-   public:
+ public:
     virtual ~TimeStepMethod() = default;
     /// Largest stable step at the current state; time, positive.
     virtual double estimate() = 0;

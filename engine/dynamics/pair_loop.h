@@ -25,7 +25,7 @@ inline void gatherVectors(const Vec<Dim>* values, const std::uint32_t* index, La
 /// Distances of particle i from its neighbors, block by block.
 template <int Dim>
 class Distances {
-   public:
+ public:
     Distances(const NeighborList<Dim>& list, std::size_t i)
         : at_(list.distancesOf(i)), unit_(list.distanceUnit()) {}
     /// Of the next eight.
@@ -35,7 +35,7 @@ class Distances {
         return r;
     }
 
-   private:
+ private:
     const std::int32_t* at_;
     double unit_;
 };
@@ -50,8 +50,9 @@ struct Pairs {
     Lanes inverse_dW;            ///< 1 / abs(W'), large but finite where W' is 0
 };
 
-/// Sum over the components of a_c b_c. Every product is rounded before it is added: of a product fused
-/// with the addition and one that is not, the components of a turned case would change places.
+/// Sum over the components of a_c b_c. Every product is rounded before it is added: of a product
+/// fused with the addition and one that is not, the components of a turned case would change
+/// places.
 template <int Dim>
 inline Lanes dotLanes(const Lanes a[Dim], const Lanes b[Dim]) {
     const auto product = [&](int c) {
@@ -66,9 +67,9 @@ inline Lanes dotLanes(const Lanes a[Dim], const Lanes b[Dim]) {
     return sum;
 }
 
-/// Asks for the block that a loop over particles meets some hundred nanoseconds after this one: lists lie
-/// in memory in the order in which they are read, and are too long for the caches. (The processor's own
-/// prefetching ends with every page.)
+/// Asks for the block that a loop over particles meets some hundred nanoseconds after this one:
+/// lists lie in memory in the order in which they are read, and are too long for the caches. (The
+/// processor's own prefetching ends with every page.)
 template <class Block>
 inline void prefetchAfter(const Block& block) {
     constexpr std::uintptr_t ahead = 16;
@@ -78,8 +79,8 @@ inline void prefetchAfter(const Block& block) {
         __builtin_prefetch(reinterpret_cast<const void*>(next + byte));
 }
 
-/// term(Pairs) for all neighbors of i, eight at a time. Unused places have a zero gradient, so a term
-/// that is linear in the gradient needs no mask.
+/// term(Pairs) for all neighbors of i, eight at a time. Unused places have a zero gradient, so a
+/// term that is linear in the gradient needs no mask.
 template <int Dim, class Term>
 inline void forEachPair(const NeighborList<Dim>& list, std::size_t i, Term&& term) {
     for (const auto& block : list.of(i)) {

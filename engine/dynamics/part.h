@@ -11,7 +11,7 @@ namespace sphinx {
 /// Particles that a method acts on: those of a part ("gate.base"), or all of a body ("gate").
 template <int Dim>
 class Part {
-   public:
+ public:
     /// `name`: a checked reference.
     Part(const World<Dim>& world, const input::Name& name) {
         const std::size_t dot = name.text.find('.');
@@ -41,7 +41,7 @@ class Part {
         return parallelSum(size(), [&](std::size_t n) { return mass[(*this)[n]]; });
     }
 
-   private:
+ private:
     Body<Dim>* body_;
     BodyPart<Dim>* part_ = nullptr;
 };

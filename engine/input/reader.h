@@ -32,7 +32,7 @@ class Reader {
     UnitSystem units;
     Scope scope;
     std::vector<Reference> references;
-    std::vector<std::string> files;  ///< absolute, those that values name
+    std::vector<std::string> files;    ///< absolute, those that values name
     std::string label;                 ///< key of the value being read, for messages
     std::vector<std::string> methods;  ///< names in `dynamics`, known before the block is read
     bool hasMethod(std::string_view name) const;

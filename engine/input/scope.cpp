@@ -182,9 +182,8 @@ struct Scope::Evaluation {
         for (const auto& [name, value] : constants)
             scope.variables_.find(name)->second.used_by_field = true;
         FieldExpression result;
-        result.compiled_ = std::make_shared<FieldExpression::Compiled>(
-            FieldExpression::Compiled{next_id++, node.text, std::move(constants), uses_time,
-                                      uses_place});
+        result.compiled_ = std::make_shared<FieldExpression::Compiled>(FieldExpression::Compiled{
+            next_id++, node.text, std::move(constants), uses_time, uses_place});
         return result;
     }
 

@@ -80,7 +80,8 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
         std::vector<SeriesQuantity>{
             {"kinetic", energy, "sum of m v^2/2", {}},
             {"potential", energy, "-sum of m g . x", {}},
-            {"internal", energy,
+            {"internal",
+             energy,
              "of a fluid sum of m e(rho), zero at the density of zero pressure; of an elastic body "
              "sum of V W(F), with its hourglass control",
              {}},

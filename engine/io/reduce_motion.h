@@ -20,8 +20,8 @@ struct ReducedBody {
 };
 
 /// kinetic = sum m v^2/2; potential = -sum m g . x, g being the body's uniform gravities; internal
-/// = sum m e(rho) of a weakly compressible fluid, solid::internalEnergy() of an elastic body; total,
-/// their sum.
+/// = sum m e(rho) of a weakly compressible fluid, solid::internalEnergy() of an elastic body;
+/// total, their sum.
 template <int Dim>
 std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced);
 template <int Dim>

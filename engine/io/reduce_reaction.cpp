@@ -21,7 +21,8 @@ std::unique_ptr<SeriesSource> makeReactionSource(const Body<Dim>& body, const in
         failAt(place, "no method of the loop holds particles of '" + body.name + "'");
     return std::make_unique<ReduceSource>(
         std::vector<SeriesQuantity>{{"reaction", unitText(unit::force, context.units),
-                                     "force of the constraints on the body", componentLabels<Dim>(Rank::vector)}},
+                                     "force of the constraints on the body",
+                                     componentLabels<Dim>(Rank::vector)}},
         [supports](std::span<double> row) {
             Vec<Dim> sum = Vec<Dim>::Zero();
             for (const auto* support : supports) sum += support->reaction();

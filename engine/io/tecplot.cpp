@@ -81,8 +81,8 @@ std::vector<OutputFile> TecplotOutput<Dim>::files() const {
     constexpr double number = 20;  // decimals and the blank behind them
     std::vector<OutputFile> files;
     for (const Series& series : series_)
-        files.push_back({series.body->name + "_*.dat",
-                         frameBytes(series.fields, series.body->size(), number)});
+        files.push_back(
+            {series.body->name + "_*.dat", frameBytes(series.fields, series.body->size(), number)});
     return files;
 }
 

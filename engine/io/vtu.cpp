@@ -174,9 +174,9 @@ std::vector<OutputFile> VtuOutput<Dim>::files() const {
     for (const auto& series : series_) {
         std::vector<FieldBase*> fields = series->fields;
         fields.push_back(series->position);
-        files.push_back({series->body->name + "_*.vtu",
-                         frameBytes(fields, series->body->size(),
-                                    parameters_.single_precision ? 4 : 8)});
+        files.push_back(
+            {series->body->name + "_*.vtu",
+             frameBytes(fields, series->body->size(), parameters_.single_precision ? 4 : 8)});
     }
     return files;
 }

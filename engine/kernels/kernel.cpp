@@ -42,8 +42,8 @@ Vec<3> densestPoint(int i, int j, int k) {
     return std::pow(2.0, 1.0 / 6.0) / std::sqrt(2.0) * Vec<3>(i + j, j + k, i + k);
 }
 
-/// Sum of V r abs(W')/Dim over a lattice. That is each diagonal entry of -sum_j V_j r_ij (x) grad W,
-/// and what the sum of pairs for the Laplacian of a quadratic field gives of it.
+/// Sum of V r abs(W')/Dim over a lattice. That is each diagonal entry of -sum_j V_j r_ij (x) grad
+/// W, and what the sum of pairs for the Laplacian of a quadratic field gives of it.
 template <int Dim, class Point>
 double latticeMoment(const Kernel<Dim>& kernel, double spacing, Point&& point) {
     // The lattices are at least half as far apart along each axis as their coordinates say.

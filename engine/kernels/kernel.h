@@ -11,8 +11,9 @@ namespace sphinx {
 enum class KernelType { wendland_c2, cubic_spline, quintic_spline };
 
 /// A smoothing kernel W(r, h) = sigma/h^Dim w(q), q = r/h, with compact support r < rc = reach * h.
-/// `w` is the shape and dwOverQ its derivative by q, divided by q: what a gradient is made of, for a
-/// difference of positions. T is a number or a vector of them; sigma makes the integral over space 1.
+/// `w` is the shape and dwOverQ its derivative by q, divided by q: what a gradient is made of, for
+/// a difference of positions. T is a number or a vector of them; sigma makes the integral over
+/// space 1.
 ///
 /// Wendland C2: w = (1 - q/2)^4 (2q + 1), reach 2; Wendland 1995, doi:10.1007/BF02123482, in the
 /// scaling of Dehnen & Aly 2012, doi:10.1111/j.1365-2966.2012.21439.x.
@@ -105,15 +106,15 @@ decltype(auto) withKernel(KernelType type, F&& f) {
 /// places that are not hot.
 template <int Dim>
 class Kernel {
-   public:
+ public:
     Kernel() = default;
     Kernel(KernelType type, double h, double spacing);
 
     KernelType type() const { return type_; }
     double smoothingLength() const { return h_; }
-    double cutoff() const;                     ///< rc, length
-    double value(double r) const;              ///< W, 1/length^Dim
-    double derivative(double r) const;         ///< dW/dr, 1/length^(Dim+1)
+    double cutoff() const;              ///< rc, length
+    double value(double r) const;       ///< W, 1/length^Dim
+    double derivative(double r) const;  ///< dW/dr, 1/length^(Dim+1)
     /// Sum of W over the points of an infinite square (cubic) lattice of that spacing, itself
     /// included: the sum of W0 in guide (54).
     double latticeSum() const;
@@ -122,13 +123,13 @@ class Kernel {
     /// arrangement (hexagonal, face-centred cubic), to which a fluid relaxes. Without it the
     /// pressure at rest is 1.5 % too high at h = 1.3 spacings.
     double gradientFactor() const { return gradient_factor_; }
-    /// What sums of pairs for a Laplacian, 2 sum_j V_j (u_j - u_i) abs(W')/r over such gradients, are
-    /// multiplied by, near 1: it makes them exact for a quadratic field on the square (cubic) lattice.
-    /// Not the densest lattice here: a shear flow lays particles in rows, and rows at the lattice's
-    /// distance have its moment across them wherever each of them stands.
+    /// What sums of pairs for a Laplacian, 2 sum_j V_j (u_j - u_i) abs(W')/r over such gradients,
+    /// are multiplied by, near 1: it makes them exact for a quadratic field on the square (cubic)
+    /// lattice. Not the densest lattice here: a shear flow lays particles in rows, and rows at the
+    /// lattice's distance have its moment across them wherever each of them stands.
     double laplacianFactor() const { return laplacian_factor_; }
 
-   private:
+ private:
     KernelType type_ = KernelType::wendland_c2;
     double h_ = 1;
     double spacing_ = 1;

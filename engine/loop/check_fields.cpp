@@ -41,7 +41,7 @@ struct Writers {
             const bool writes = has(*node.line, AccessMode::write, key);
             if (!writes && !has(*node.line, AccessMode::accumulate, key)) continue;
             const bool reads = writes && has(*node.line, AccessMode::read, key);
-            const LineFacts*& writer = reads                          ? updates
+            const LineFacts*& writer = reads                         ? updates
                                        : node.line->sometimes        ? sometimes
                                        : node.line->window.limited() ? limited
                                                                      : always;
@@ -64,7 +64,8 @@ class FieldCheck {
         const Writers writers(flow_, reader, key);
         const FieldMaker* maker = writers.anyFromScratch() ? nullptr : onlyMaker(key.second);
         if (maker) advised_[key.first].push_back(maker);
-        const std::string text = maker ? advice(reader, key, *maker) : message(reader, key, writers);
+        const std::string text =
+            maker ? advice(reader, key, *maker) : message(reader, key, writers);
         issues_.push_back({Severity::error, reader.id, text});
     }
 
@@ -79,32 +80,37 @@ class FieldCheck {
         return only;
     }
 
-    static std::string advice(const LineFacts& reader, const FieldKey& key, const FieldMaker& maker) {
-        return fmt::format("{} reads {} of {}, which nothing computes: call a method of type {} for {} "
-                           "first",
-                           reader.label, key.second, key.first, maker.method, key.first);
+    static std::string advice(const LineFacts& reader, const FieldKey& key,
+                              const FieldMaker& maker) {
+        return fmt::format(
+            "{} reads {} of {}, which nothing computes: call a method of type {} for {} "
+            "first",
+            reader.label, key.second, key.first, maker.method, key.first);
     }
 
-    static std::string message(const LineFacts& reader, const FieldKey& key, const Writers& writers) {
+    static std::string message(const LineFacts& reader, const FieldKey& key,
+                               const Writers& writers) {
         const std::string what = fmt::format("{} of {}", key.second, key.first);
         if (writers.always)
             return fmt::format("{} reads {} before {} has written it: call {} earlier, or in start",
                                reader.label, what, writers.always->label, writers.always->label);
         if (writers.sometimes)
-            return fmt::format("{} reads {}, which {} writes only in some steps: call {} in start too",
-                               reader.label, what, writers.sometimes->label,
-                               writers.sometimes->label);
+            return fmt::format(
+                "{} reads {}, which {} writes only in some steps: call {} in start too",
+                reader.label, what, writers.sometimes->label, writers.sometimes->label);
         if (writers.limited)
-            return fmt::format("{} reads {}, which {} writes only at times {}: let it be written in "
-                               "the other steps before it is read, or in start",
-                               reader.label, what, writers.limited->label,
-                               describe(writers.limited->window));
+            return fmt::format(
+                "{} reads {}, which {} writes only at times {}: let it be written in "
+                "the other steps before it is read, or in start",
+                reader.label, what, writers.limited->label, describe(writers.limited->window));
         if (writers.updates)
-            return fmt::format("{} reads {}, which {} only updates: call a method that computes it "
-                               "first",
-                               reader.label, what, writers.updates->label);
-        return fmt::format("{} reads {}, which nothing writes: call a method that computes it first",
-                           reader.label, what);
+            return fmt::format(
+                "{} reads {}, which {} only updates: call a method that computes it "
+                "first",
+                reader.label, what, writers.updates->label);
+        return fmt::format(
+            "{} reads {}, which nothing writes: call a method that computes it first", reader.label,
+            what);
     }
 
     const LoopFacts& facts_;

@@ -56,7 +56,8 @@ class Flow {
  private:
     void collectWindows(const LayerFacts& layer);
     bool acts(const LineFacts& line, std::size_t epoch) const;
-    void add(const LayerFacts& layer, std::size_t first_epoch, const std::vector<LineFacts>* outputs);
+    void add(const LayerFacts& layer, std::size_t first_epoch,
+             const std::vector<LineFacts>* outputs);
     void addSteps(const LayerFacts& layer, std::size_t epoch);
     void add(FlowNode node);
 

@@ -14,13 +14,13 @@ enum class EquationOfState { linear, tait };
 /// linear: p = c0^2 (rho - rho0), guide below (19).
 /// tait:   p = rho0 c0^2 / gamma ((rho/rho0)^gamma - 1), Monaghan 1994, doi:10.1006/jcph.1994.1034.
 class WeaklyCompressibleFluid final : public Material {
-   public:
+ public:
     struct Parameters {
-        double density = 0;             ///< rho0, mass/length^3
-        double sound_speed = 0;         ///< c0, length/time
-        double viscosity = 0;           ///< dynamic viscosity mu, mass/(length time)
+        double density = 0;      ///< rho0, mass/length^3
+        double sound_speed = 0;  ///< c0, length/time
+        double viscosity = 0;    ///< dynamic viscosity mu, mass/(length time)
         EquationOfState equation_of_state = EquationOfState::linear;
-        double gamma = 7;               ///< exponent of the Tait equation
+        double gamma = 7;  ///< exponent of the Tait equation
     };
 
     explicit WeaklyCompressibleFluid(const Parameters& p) : p_(p) {}
@@ -51,7 +51,7 @@ class WeaklyCompressibleFluid final : public Material {
         return c2 / g * ((std::pow(x, g - 1) - 1) / (g - 1) + 1 / x - 1);
     }
 
-   private:
+ private:
     Parameters p_;
 };
 

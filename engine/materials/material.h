@@ -6,7 +6,7 @@ namespace sphinx {
 
 /// Base of all material laws: pure functions of the local state, no particles.
 class Material {
-   public:
+ public:
     virtual ~Material() = default;
     /// Reference density rho0, mass/length^3.
     virtual double density() const = 0;
@@ -14,11 +14,11 @@ class Material {
 
 /// A body that does not deform: walls, obstacles.
 class Rigid final : public Material {
-   public:
+ public:
     explicit Rigid(double density) : density_(density) {}
     double density() const override { return density_; }
 
-   private:
+ private:
     double density_;
 };
 

@@ -51,8 +51,8 @@ void CellGrid<Dim>::build(const Vec<Dim>* position, std::size_t n, double cell_s
         for (std::size_t i = begin; i < end; ++i) {
             std::size_t cell = 0;
             for (int k = Dim - 1; k >= 0; --k) {
-                const int c = std::min(
-                    static_cast<int>((position[i][k] - origin_[k]) * inverse), counts_[k] - 1);
+                const int c = std::min(static_cast<int>((position[i][k] - origin_[k]) * inverse),
+                                       counts_[k] - 1);
                 cell = cell * static_cast<std::size_t>(counts_[k]) + static_cast<std::size_t>(c);
             }
             cell_of_[i] = static_cast<Index>(cell);

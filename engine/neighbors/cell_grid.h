@@ -13,7 +13,7 @@ namespace sphinx {
 /// storage order, so the bins are a function of the state alone.
 template <int Dim>
 class CellGrid {
-   public:
+ public:
     /// Bins n particles into cells of the given size over their bounding box.
     void build(const Vec<Dim>* position, std::size_t n, double cell_size);
 
@@ -34,7 +34,7 @@ class CellGrid {
 
     std::size_t bytes() const;
 
-   private:
+ private:
     double size_ = 0;
     Vec<Dim> origin_ = Vec<Dim>::Zero();
     std::array<int, Dim> counts_{};

@@ -66,7 +66,7 @@ constexpr PackTable pack_table;
 
 template <int Dim>
 class Images {
-   public:
+ public:
     explicit Images(const Domain<Dim>& domain) {
         shifts_.push_back(Vec<Dim>::Zero());
         for (int k = 0; k < Dim; ++k) {
@@ -83,7 +83,7 @@ class Images {
     }
     const std::vector<Vec<Dim>>& shifts() const { return shifts_; }
 
-   private:
+ private:
     std::vector<Vec<Dim>> shifts_;
 };
 
@@ -219,9 +219,8 @@ double wholeUnit(const Kernel<Dim>& kernel) {
 }
 
 template <class K, int Dim, class Real>
-void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
-           const Kernel<Dim>& kernel, const Domain<Dim>& domain,
-           NeighborList<Dim, Real>& list) {
+void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same, const Kernel<Dim>& kernel,
+           const Domain<Dim>& domain, NeighborList<Dim, Real>& list) {
     list.gradient_unit = std::is_integral_v<Real> ? wholeUnit(kernel) : 1;
     const double cutoff = K::reach * kernel.smoothingLength();
     list.cutoff = cutoff;
@@ -248,8 +247,7 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
                 return static_cast<std::size_t>(slots * static_cast<double>(from.start(cell)));
             };
             std::size_t next = place(cell_begin);
-            const std::size_t limit =
-                cell_end == from.cells() ? total : place(cell_end);
+            const std::size_t limit = cell_end == from.cells() ? total : place(cell_end);
             std::size_t used = 0;
             for (std::size_t cell = cell_begin; cell < cell_end; ++cell) {
                 const std::size_t begin = from.start(cell);
@@ -312,9 +310,8 @@ template <int Dim, class Real>
 void buildList(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
                const Kernel<Dim>& kernel, const Domain<Dim>& domain,
                NeighborList<Dim, Real>& list) {
-    withKernel<Dim>(kernel.type(), [&]<class K>() {
-        build<K>(from, to, same, kernel, domain, list);
-    });
+    withKernel<Dim>(kernel.type(),
+                    [&]<class K>() { build<K>(from, to, same, kernel, domain, list); });
 }
 
 template void buildList(const CellGrid<2>&, const CellGrid<2>&, bool, const Kernel<2>&,

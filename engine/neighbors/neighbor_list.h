@@ -13,10 +13,10 @@ namespace sphinx {
 /// Eight neighbors of one particle. gradient = e_ij W'(r_ij), e_ij = (r_i - r_j)/r_ij, so it is the
 /// gradient of W with respect to the particle's own position, in units of the list's gradient_unit.
 /// Places beyond the last neighbor repeat an index and carry a zero gradient.
-/// Number is double for lists of the reference configuration and a whole number for lists that follow
-/// the motion: half the memory, and 100 times as fine as float, in which a last bit of a position
-/// that tips the rounding of a gradient becomes 1e-7. (Sums are in double; e W' alone is antisymmetric
-/// to the last bit.)
+/// Number is double for lists of the reference configuration and a whole number for lists that
+/// follow the motion: half the memory, and 100 times as fine as float, in which a last bit of a
+/// position that tips the rounding of a gradient becomes 1e-7. (Sums are in double; e W' alone is
+/// antisymmetric to the last bit.)
 template <int Dim, class Number>
 struct alignas(32) PairBlock {
     std::uint32_t index[lane_count];
@@ -29,12 +29,12 @@ template <int Dim, class Number = std::int32_t>
 struct NeighborList {
     using Block = PairBlock<Dim, Number>;
     struct Range {
-        std::uint64_t first = 0;   ///< index of the first block
+        std::uint64_t first = 0;  ///< index of the first block
         std::uint32_t blocks = 0;
-        std::uint32_t count = 0;   ///< neighbors
+        std::uint32_t count = 0;  ///< neighbors
     };
 
-    double cutoff = 0;  ///< length
+    double cutoff = 0;         ///< length
     double gradient_unit = 1;  ///< 1/length^(Dim+1); 1 where gradients are stored in double
     AlignedVector<Range> ranges;
     AlignedVector<Block> blocks;

@@ -29,17 +29,17 @@ struct ReferenceRelation {
     Body<Dim>* from = nullptr;
     Body<Dim>* to = nullptr;
     bool built = false;
-    NeighborList<Dim, double> list;  ///< the gradients are multiplied by V_j: e_ij W'_ij V_j
+    NeighborList<Dim, double> list;        ///< the gradients are multiplied by V_j: e_ij W'_ij V_j
     AlignedVector<Vec<Dim>> gradient_sum;  ///< sum_j e_ij W'_ij V_j, 1/length
-    /// abs(W'_ij)/R_ij V_j of every place, half of it where one of the two is an image, 0 where both
-    /// are. 1/length^2
+    /// abs(W'_ij)/R_ij V_j of every place, half of it where one of the two is an image, 0 where
+    /// both are. 1/length^2
     AlignedVector<double> weight;
 };
 
 /// All relations of a simulation and the cell grids they share, one grid per body.
 template <int Dim>
 class Relations {
-   public:
+ public:
     explicit Relations(World<Dim>& world) : world_(&world) {}
 
     /// The relation, made (empty) on first use. Its address stays.
@@ -58,7 +58,7 @@ class Relations {
     const Domain<Dim>& domain() const { return world_->domain; }
     std::size_t bytes() const;
 
-   private:
+ private:
     struct Grid {
         CellGrid<Dim> cells;
         std::uint64_t version = ~std::uint64_t{0};

@@ -25,7 +25,7 @@ struct FieldInfo {
 /// Values of one field for all particles of a body, without its type. Flat: components of one
 /// particle stand together (matrix: column by column, Eigen's order).
 class FieldBase {
-   public:
+ public:
     explicit FieldBase(const FieldInfo& info) : info_(&info) {}
     virtual ~FieldBase() = default;
 
@@ -44,14 +44,14 @@ class FieldBase {
     virtual void copy(std::size_t from, std::size_t to) = 0;
     virtual std::size_t bytes() const = 0;
 
-   private:
+ private:
     const FieldInfo* info_;
 };
 
 /// T is double, Vec<Dim>, Mat<Dim> or std::int64_t. New particles start at zero.
 template <class T>
 class Field final : public FieldBase {
-   public:
+ public:
     using FieldBase::FieldBase;
 
     T* data() { return values_.data(); }
@@ -71,7 +71,7 @@ class Field final : public FieldBase {
         return (values_.capacity() + spare_.capacity()) * sizeof(T);
     }
 
-   private:
+ private:
     AlignedVector<T> values_;
     AlignedVector<T> spare_;  // permuted into, then swapped: sorting allocates once
 };

@@ -21,8 +21,8 @@ inline constexpr FieldInfo volume{"volume", Rank::scalar, unit::volume,
 inline constexpr FieldInfo density{"density", Rank::scalar, unit::density, "density"};
 inline constexpr FieldInfo density_rate{"density_rate", Rank::scalar, unit::density_rate,
                                         "rate of change of the density by the continuity equation"};
-inline constexpr FieldInfo reference_density{
-    "reference_density", Rank::scalar, unit::density, "density at the start, for confined flows"};
+inline constexpr FieldInfo reference_density{"reference_density", Rank::scalar, unit::density,
+                                             "density at the start, for confined flows"};
 inline constexpr FieldInfo pressure{"pressure", Rank::scalar, unit::pressure, "pressure"};
 inline constexpr FieldInfo acceleration{"acceleration", Rank::vector, unit::acceleration,
                                         "acceleration of a solid particle"};
@@ -67,16 +67,15 @@ inline constexpr FieldInfo displacement{"displacement", Rank::vector, unit::leng
                                         "displacement of an elastic body since the start"};
 inline constexpr FieldInfo green_lagrange_strain{"green_lagrange_strain", Rank::matrix, unit::none,
                                                  "Green-Lagrange strain of an elastic body"};
-inline constexpr FieldInfo piola_kirchhoff_stress{"piola_kirchhoff_stress", Rank::matrix,
-                                                  unit::pressure,
-                                                  "first Piola-Kirchhoff stress of the elastic law"};
+inline constexpr FieldInfo piola_kirchhoff_stress{
+    "piola_kirchhoff_stress", Rank::matrix, unit::pressure,
+    "first Piola-Kirchhoff stress of the elastic law"};
 inline constexpr FieldInfo cauchy_stress{"cauchy_stress", Rank::matrix, unit::pressure,
                                          "Cauchy stress of the elastic law"};
 inline constexpr FieldInfo von_mises_stress{"von_mises_stress", Rank::scalar, unit::pressure,
                                             "von Mises stress of the elastic law"};
-inline constexpr FieldInfo strain_energy_density{"strain_energy_density", Rank::scalar,
-                                                 unit::pressure,
-                                                 "strain energy per reference volume"};
+inline constexpr FieldInfo strain_energy_density{
+    "strain_energy_density", Rank::scalar, unit::pressure, "strain energy per reference volume"};
 
 /// The field of that name, or nullptr.
 const FieldInfo* find(std::string_view name);

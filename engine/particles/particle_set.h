@@ -14,7 +14,7 @@ namespace sphinx {
 /// set; its data() may move when the number of particles grows.
 template <int Dim>
 class ParticleSet {
-   public:
+ public:
     ParticleSet();
 
     std::size_t size() const { return size_; }
@@ -47,7 +47,7 @@ class ParticleSet {
     const std::vector<std::unique_ptr<FieldBase>>& all() const { return fields_; }
     std::size_t bytes() const;
 
-   private:
+ private:
     template <class T>
     Field<T>& typed(const FieldInfo& info, Rank rank);
 

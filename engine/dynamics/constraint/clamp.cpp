@@ -53,14 +53,16 @@ void Clamp<Dim>::run(int, const Clock& clock) {
 
 template <int Dim>
 void Clamp<Dim>::transfer(Archive& archive) {
-    for (int c = 0; c < Dim; ++c) archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
+    for (int c = 0; c < Dim; ++c)
+        archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
 }
 
 void declareClamp(input::Registry& registry) {
     using P = ClampParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "constraint.clamp");
-    d.summary("Clamps an elastic body along the surface of a part, whose particles mirror the motion "
-              "of the others");
+    d.summary(
+        "Clamps an elastic body along the surface of a part, whose particles mirror the motion "
+        "of the others");
     d.formula("u = 0 on the surface: u_g = sum_k c_gk u_k, sum_k c_gk = -1; f_k += sum_g c_gk f_g");
     d.citation("mirror particles as in Libersky et al. 1993, doi:10.1006/jcph.1993.1199");
     d.required("part", &P::part, input::partReference({"elastic"}),

@@ -14,15 +14,15 @@ struct ClampParameters {
 
 /// Holds an elastic body along the surface of a part: u = 0 there. The particles of the part are no
 /// material but images, which mirror the motion of the others, u_g = sum_k c_gk u_k with
-/// sum_k c_gk = -1, and hand the forces that they feel on to them, f_k += sum_g c_gk f_g: the motion
-/// is that of the energy of the other particles alone, without loss. A particle is an image or not:
-/// the surface is met where it lies midway between two rows, elsewhere to half a spacing.
+/// sum_k c_gk = -1, and hand the forces that they feel on to them, f_k += sum_g c_gk f_g: the
+/// motion is that of the energy of the other particles alone, without loss. A particle is an image
+/// or not: the surface is met where it lies midway between two rows, elsewhere to half a spacing.
 /// constraint.fix, where the particles of the part stand still and share stress and strain with the
 /// others, holds the body 0.6 to 0.8 spacings behind that surface instead.
 /// Between the halves of the step; at the start, it gives the images their velocity.
 template <int Dim>
 class Clamp final : public Method, public Support<Dim> {
-   public:
+ public:
     Clamp(Context<Dim>& context, Part<Dim> part);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return part_.size(); }
@@ -31,7 +31,7 @@ class Clamp final : public Method, public Support<Dim> {
     Vec<Dim> reaction() const override { return reaction_; }
     void transfer(Archive& archive) override;
 
-   private:
+ private:
     void prepare();
 
     Relations<Dim>* relations_;

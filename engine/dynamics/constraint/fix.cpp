@@ -37,7 +37,8 @@ void Fix<Dim>::run(int, const Clock& clock) {
 
 template <int Dim>
 void Fix<Dim>::transfer(Archive& archive) {
-    for (int c = 0; c < Dim; ++c) archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
+    for (int c = 0; c < Dim; ++c)
+        archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
 }
 
 void declareFix(input::Registry& registry) {

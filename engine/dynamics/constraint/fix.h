@@ -20,7 +20,7 @@ struct FixParameters {
 /// support gives.
 template <int Dim>
 class Fix final : public Method, public Support<Dim> {
-   public:
+ public:
     Fix(Part<Dim> part, const std::vector<int>& directions);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return part_.size(); }
@@ -29,7 +29,7 @@ class Fix final : public Method, public Support<Dim> {
     Vec<Dim> reaction() const override { return reaction_; }
     void transfer(Archive& archive) override;
 
-   private:
+ private:
     Part<Dim> part_;
     std::array<bool, Dim> fixed_{};
     Field<Vec<Dim>>& velocity_;

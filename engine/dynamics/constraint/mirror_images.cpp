@@ -10,8 +10,8 @@
 namespace sphinx::constraint {
 namespace {
 
-/// The point's mirror image in the plane that touches the surface of the shape between it and a point
-/// outside.
+/// The point's mirror image in the plane that touches the surface of the shape between it and a
+/// point outside.
 template <int Dim>
 Vec<Dim> mirrored(const geometry::Shape<Dim>& shape, Vec<Dim> outside, const Vec<Dim>& point) {
     Vec<Dim> inside = point;
@@ -26,7 +26,7 @@ Vec<Dim> mirrored(const geometry::Shape<Dim>& shape, Vec<Dim> outside, const Vec
 /// The real particles around a particle, itself included if it is one.
 template <int Dim>
 class Surroundings {
-   public:
+ public:
     Surroundings(const Body<Dim>& body, const Field<Vec<Dim>>& start,
                  const ReferenceRelation<Dim>& relation, const Domain<Dim>& domain)
         : body_(body), start_(start), relation_(relation), domain_(domain) {}
@@ -56,7 +56,7 @@ class Surroundings {
         return domain_.difference(start_[j], point);
     }
 
-   private:
+ private:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     const Body<Dim>& body_;
     const Field<Vec<Dim>>& start_;
@@ -103,8 +103,7 @@ void link(const Surroundings<Dim>& around, const Kernel<Dim>& kernel, Index imag
 }  // namespace
 
 template <int Dim>
-std::vector<ImageLink> mirrorImages(const Part<Dim>& part,
-                                    const ReferenceRelation<Dim>& relation,
+std::vector<ImageLink> mirrorImages(const Part<Dim>& part, const ReferenceRelation<Dim>& relation,
                                     const Domain<Dim>& domain) {
     Body<Dim>& body = part.body();
     const auto& start = body.particles.vector(fields::initial_position);
@@ -124,7 +123,8 @@ std::vector<ImageLink> mirrorImages(const Part<Dim>& part,
             }
         }
         // Half a diagonal of the lattice: the point lies inside of the body.
-        if (around.offset(next, point).norm() > 0.5 * std::sqrt(1.01 * Dim) * body.spacing) continue;
+        if (around.offset(next, point).norm() > 0.5 * std::sqrt(1.01 * Dim) * body.spacing)
+            continue;
         link(around, body.kernel, image, next, point, body.spacing, links);
     }
     return links;

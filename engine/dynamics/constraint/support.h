@@ -9,7 +9,7 @@ namespace sphinx::constraint {
 /// A constraint that knows the force it exerts.
 template <int Dim>
 class Support {
-   public:
+ public:
     virtual ~Support() = default;
     virtual const Body<Dim>& supported() const = 0;
     /// Sum of the forces on the held particles in the last step, force.

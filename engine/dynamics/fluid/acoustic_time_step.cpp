@@ -18,8 +18,8 @@ AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
 
 template <int Dim>
 double AcousticTimeStep<Dim>::estimate() {
-    const double speed2 = parallelMax(
-        body_->size(), 0.0, [&](std::size_t i) { return velocity_[i].squaredNorm(); });
+    const double speed2 =
+        parallelMax(body_->size(), 0.0, [&](std::size_t i) { return velocity_[i].squaredNorm(); });
     return cfl_ * body_->kernel.smoothingLength() / (c0_ + std::sqrt(speed2));
 }
 

@@ -14,13 +14,13 @@ struct AcousticTimeStepParameters {
 /// Acoustic criterion, guide (53): CFL h / (c0 + abs(v)_max).
 template <int Dim>
 class AcousticTimeStep final : public TimeStepMethod {
-   public:
+ public:
     AcousticTimeStep(Body<Dim>& body, double cfl);
 
     double estimate() override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     double cfl_;
     double c0_;

@@ -15,14 +15,14 @@ struct AdvectionTimeStepParameters {
 /// Advection criterion, guide (52): CFL min(h / max(abs(v)_max, v_ref), h^2 / nu).
 template <int Dim>
 class AdvectionTimeStep final : public TimeStepMethod {
-   public:
+ public:
     /// reference_speed: velocity, keeps the step finite while the fluid is at rest.
     AdvectionTimeStep(Body<Dim>& body, double reference_speed, double cfl);
 
     double estimate() override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     double reference_speed_;
     double cfl_;

@@ -21,13 +21,13 @@ struct DensitySummationParameters {
 /// counts with V_j0/V_i0. S0 is the sum over the full lattice of the body.
 template <int Dim>
 class DensitySummation final : public Method {
-   public:
+ public:
     DensitySummation(Context<Dim>& context, Body<Dim>& body, Surface surface);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     struct Term {
         const Relation<Dim>* relation;
         double weight;

@@ -20,8 +20,7 @@ void withRiemann(Riemann riemann, F&& f) {
 }  // namespace
 
 template <int Dim>
-PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& body,
-                                            Riemann riemann)
+PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& body, Riemann riemann)
     : body_(&body),
       domain_(&context.world.domain),
       fluid_(&dynamic_cast<const WeaklyCompressibleFluid&>(*body.material)),
@@ -166,8 +165,8 @@ Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
                     for (std::size_t i = begin; i < end; ++i) {
                         if (list.ranges[i].count == 0) continue;
                         ExactSums<Dim> sum(grid);
-                        const FluidLanes<Dim> fluid = oneFluid<Dim>(velocity_[i], external_[i],
-                                                                    pressure_[i], density_[i]);
+                        const FluidLanes<Dim> fluid =
+                            oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i]);
                         addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i],
                                            unit, sum);
                         for (int c = 0; c < Dim; ++c) part[c] += unit * sum[c].value();
@@ -247,7 +246,8 @@ void declarePressureRelaxation(input::Registry& registry) {
                    {"low_dissipation", Riemann::low_dissipation, "the same with the limiter"},
                }),
                "how pressure and velocity between two particles are found");
-    d.action("first_half", "density, pressure and position to the half step; velocity by a whole step")
+    d.action("first_half",
+             "density, pressure and position to the half step; velocity by a whole step")
         .reads("body", {"velocity", "mass", "density", "density_rate", "position",
                         "external_acceleration", "neighbors"})
         .reads("neighbors.solid", {"normal", "volume"})

@@ -19,20 +19,21 @@ struct PressureRelaxationParameters {
 /// Acoustic step of a weakly compressible fluid, guide (51) and (56)-(58) read as drift-kick-drift:
 ///   first half:  rho += dt/2 drho, p(rho), r += dt/2 v, then
 ///                dv_i = -1/m_i sum_j 2 p*_ij e_ij W' V_i V_j + external,  v += dt dv
-///   second half: drho_i = rho_i sum_j 2 (v_i - v*_ij) . e_ij W' V_j,  rho += dt/2 drho, r += dt/2 v
+///   second half: drho_i = rho_i sum_j 2 (v_i - v*_ij) . e_ij W' V_j,  rho += dt/2 drho, r += dt/2
+///   v
 /// with p* and v* of the Riemann problem (riemann.h). Each sum runs once a step, and a solid loaded
 /// between the halves feels the pressure that the fluid felt.
 ///
-/// In gravity the pressures in U* are those above the hydrostatic one, p - rho0 g . r: a fluid at rest
-/// is left at rest (Fourtakas et al. 2019, doi:10.1016/j.compfluid.2019.06.009, for the equivalent
-/// density diffusion).
+/// In gravity the pressures in U* are those above the hydrostatic one, p - rho0 g . r: a fluid at
+/// rest is left at rest (Fourtakas et al. 2019, doi:10.1016/j.compfluid.2019.06.009, for the
+/// equivalent density diffusion).
 ///
-/// Solid neighbors are walls of dummy particles, one-sided Riemann problem along the wall's normal n
-/// (turned towards the fluid): the ghost has the mirrored normal velocity (free slip) and the
+/// Solid neighbors are walls of dummy particles, one-sided Riemann problem along the wall's normal
+/// n (turned towards the fluid): the ghost has the mirrored normal velocity (free slip) and the
 /// pressure p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij).
 template <int Dim>
 class PressureRelaxation final : public Method, public SolidLoad<Dim> {
-   public:
+ public:
     PressureRelaxation(Context<Dim>& context, Body<Dim>& body, Riemann riemann);
 
     void run(int action, const Clock& clock) override;
@@ -47,7 +48,7 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
     void firstHalf(double dt);
     void secondHalf(double dt);
 
-   private:
+ private:
     struct Wall {
         const Relation<Dim>* relation;
         WallFields<Dim> fields;

@@ -44,8 +44,7 @@ inline double continuation(const Pairs<Dim>& pair, int k, double distance, const
 /// the wall; in the given gradient unit.
 template <ViscousForm F, int Dim, class Wall>
 inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t i,
-                    const Vec<Dim>& v, double V, double unit, double nearest,
-                    ExactSums<Dim>& sum) {
+                    const Vec<Dim>& v, double V, double unit, double nearest, ExactSums<Dim>& sum) {
     V *= list.gradient_unit / unit;
     Distances<Dim> distances(list, i);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
@@ -55,8 +54,7 @@ inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t
             const Index j = pair.index[k];
             const Vec<Dim>& vw = (*wall.velocity)[j];
             const Vec<Dim>& n = (*wall.normal)[j];
-            const double continued =
-                continuation<Dim>(pair, k, r[k], n, (*wall.depth)[j], nearest);
+            const double continued = continuation<Dim>(pair, k, r[k], n, (*wall.depth)[j], nearest);
             for (int c = 0; c < Dim; ++c) between[c][k] = continued * (v[c] - vw[c]);
         }
         Lanes v_ij[Dim];
@@ -98,8 +96,8 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip
       mu_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).viscosity()),
       nearest_(0.25 * body.spacing),
       form_(form),
-      // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a few
-      // 1/spacing^2.
+      // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a
+      // few 1/spacing^2.
       largest_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).soundSpeed() *
                std::pow(body.spacing, Dim - 2)),
       velocity_(body.particles.vector(fields::velocity)),

@@ -25,17 +25,17 @@ struct ViscousForceParameters {
 ///               Kernel::laplacianFactor, which makes the sum exact on a lattice.
 ///   central     dv_i/dt = 2 (d + 2) mu / m_i sum_j (v_ij . e_ij) / r_ij  e_ij W' V_i V_j
 ///               guide (35) with the case's own dimension d.
-/// Both conserve momentum and are 1/rho div(mu grad v) of an incompressible flow where neighbors lie
-/// alike in all directions. They differ where they do not:
-///   The laplacian needs no more than equal second moments, sum_j r_ij W' V_j e_ij (x) e_ij ~ 1. Rows
-///   of particles that glide past each other have them, and so does any lattice.
-///   The central sum needs equal fourth moments, which a shear flow does not leave: it lays the
-///   particles in rows, and then the sum is that of 0.82 to 0.94 of mu (2D, h = 1.3 spacings, by the
-///   place of one row to the next; 1.16 for shear along the diagonals of squares).
-///   The central force conserves angular momentum: fluid that turns as a rigid body feels nothing.
-///   Of the laplacian that is true only away from the surface. At a free surface it makes the normal
-///   derivative of v vanish, not the traction, and so slows a free round drop of radius R down at the
-///   rate 4 nu / R^2.
+/// Both conserve momentum and are 1/rho div(mu grad v) of an incompressible flow where neighbors
+/// lie alike in all directions. They differ where they do not:
+///   The laplacian needs no more than equal second moments, sum_j r_ij W' V_j e_ij (x) e_ij ~ 1.
+///   Rows of particles that glide past each other have them, and so does any lattice. The central
+///   sum needs equal fourth moments, which a shear flow does not leave: it lays the particles in
+///   rows, and then the sum is that of 0.82 to 0.94 of mu (2D, h = 1.3 spacings, by the place of
+///   one row to the next; 1.16 for shear along the diagonals of squares). The central force
+///   conserves angular momentum: fluid that turns as a rigid body feels nothing. Of the laplacian
+///   that is true only away from the surface. At a free surface it makes the normal derivative of v
+///   vanish, not the traction, and so slows a free round drop of radius R down at the rate 4 nu /
+///   R^2.
 /// The laplacian is the choice for flow along walls, central for free fluid that turns.
 ///
 /// At a no-slip wall the velocity is continued linearly through the wall's surface:
@@ -43,7 +43,7 @@ struct ViscousForceParameters {
 /// Fox & Zhu 1997, (31)-(32).
 template <int Dim>
 class ViscousForce final : public Method, public SolidLoad<Dim> {
-   public:
+ public:
     ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip slip, ViscousForm form);
 
     void run(int action, const Clock& clock) override;
@@ -55,7 +55,7 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
     void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                    Field<Vec<Dim>>& force) const override;
 
-   private:
+ private:
     struct Wall {
         const Relation<Dim>* relation;
         const Field<Vec<Dim>>* velocity;

@@ -50,12 +50,12 @@ inline Lanes closingSpeed(const Lanes (&v)[Dim], WallLanes<Dim>& wall,
 }
 
 /// Twice the pressure p* of the one-sided Riemann problem: p_i, the pressure of the ghost
-/// p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij), and what closing in at twice the speed adds, since the
-/// ghost moves with the mirrored normal velocity.
+/// p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij), and what closing in at twice the speed adds, since
+/// the ghost moves with the mirrored normal velocity.
 template <Riemann R, int Dim>
 inline Lanes twiceWallPressure(const RiemannConstants& constants, const FluidLanes<Dim>& fluid,
-                               WallLanes<Dim>& wall, const Lanes (&gradient)[Dim],
-                               Lanes inverse_dW, Lanes r) {
+                               WallLanes<Dim>& wall, const Lanes (&gradient)[Dim], Lanes inverse_dW,
+                               Lanes r) {
     Lanes g[Dim];
     for (int c = 0; c < Dim; ++c) g[c] = fluid.g[c] - wall.a[c];
     const Lanes pull = dotLanes<Dim>(g, gradient);  // (g_i - a_w) . (-e_ij) abs(W')
@@ -78,8 +78,7 @@ inline FluidLanes<Dim> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, double p, 
 /// particle i, in the given gradient unit.
 template <int Dim>
 inline void addWallClosure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
-                           std::size_t i, const Vec<Dim>& velocity, double unit,
-                           ExactSum& sum) {
+                           std::size_t i, const Vec<Dim>& velocity, double unit, ExactSum& sum) {
     const double factor = -2 * list.gradient_unit / unit;
     Lanes v[Dim];
     spread<Dim>(velocity, v);
@@ -93,8 +92,8 @@ inline void addWallClosure(const WallFields<Dim>& fields, const NeighborList<Dim
     });
 }
 
-/// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the wall particles j near one fluid particle i, in the given
-/// gradient unit.
+/// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the wall particles j near one fluid particle i, in the
+/// given gradient unit.
 template <Riemann R, int Dim>
 inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                             std::size_t i, const RiemannConstants& constants,
@@ -105,7 +104,8 @@ inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Di
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallLanes<Dim> wall;
         gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
-        if (fields.acceleration) gatherVectors<Dim>(fields.acceleration->data(), pair.index, wall.a);
+        if (fields.acceleration)
+            gatherVectors<Dim>(fields.acceleration->data(), pair.index, wall.a);
         gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
         const Lanes p2 = twiceWallPressure<R, Dim>(constants, fluid, wall, pair.gradient,
                                                    pair.inverse_dW, distances.next());

@@ -15,13 +15,13 @@ struct BodyForceParameters {
 /// its layer.
 template <int Dim>
 class BodyForce final : public Method {
-   public:
+ public:
     BodyForce(Body<Dim>& body, std::vector<input::FieldExpression> acceleration);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     std::vector<input::FieldExpression> acceleration_;
     Field<Vec<Dim>>& external_;

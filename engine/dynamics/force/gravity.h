@@ -15,13 +15,13 @@ struct GravityParameters {
 /// of a resting fluid use it.
 template <int Dim>
 class Gravity final : public Method {
-   public:
+ public:
     Gravity(Body<Dim>& body, const Vec<Dim>& acceleration);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     Vec<Dim> acceleration_;
     Field<Vec<Dim>>& external_;

@@ -11,18 +11,19 @@ struct VelocityDampingParameters {
     double rate = 0;  ///< 1/time
 };
 
-/// Drag in proportion to mass and velocity, dv/dt = -rate v, by its solution over the substep of its
-/// layer, v *= exp(-rate dt): stable at any step. It brings a body to rest where the final state, not
-/// the way to it, is asked for; a mode of the frequency omega is damped fastest at rate = 2 omega.
+/// Drag in proportion to mass and velocity, dv/dt = -rate v, by its solution over the substep of
+/// its layer, v *= exp(-rate dt): stable at any step. It brings a body to rest where the final
+/// state, not the way to it, is asked for; a mode of the frequency omega is damped fastest at rate
+/// = 2 omega.
 template <int Dim>
 class VelocityDamping final : public Method {
-   public:
+ public:
     VelocityDamping(Body<Dim>& body, double rate);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     double rate_;
     Field<Vec<Dim>>& velocity_;

@@ -40,7 +40,9 @@ void declareAverageKinematics(input::Registry& registry) {
     using P = AverageKinematicsParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "fsi.average_kinematics");
     d.summary("Velocity and acceleration of an elastic body, averaged over a step of its fluid");
-    d.formula("guide 2.2.4: u = (r(t + dt) - r(t))/dt, average a = (u - u of the step before)/dt, average v = u + a dt/2");
+    d.formula(
+        "guide 2.2.4: u = (r(t + dt) - r(t))/dt, average a = (u - u of the step before)/dt, "
+        "average v = u + a dt/2");
     d.citation("Zhang, Rezavand & Hu 2021, doi:10.1016/j.jcp.2020.110028");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.action("begin", "before the steps of the solid").reads("body", {"position"});

@@ -13,17 +13,17 @@ struct AverageKinematicsParameters {
 /// Motion of an elastic body as its fluid sees it. Over one step of the fluid, in which the solid
 /// makes several: the mean velocity u, its change since the step before as acceleration, and as
 /// velocity u carried on to the end of the step, where the fluid uses it. (A fluid that sees the
-/// velocity of half a step ago is a spring that pushes late: it feeds the plate's motion.) The steps of
-/// the solid belong before the second half of the fluid's pressure relaxation.
+/// velocity of half a step ago is a spring that pushes late: it feeds the plate's motion.) The
+/// steps of the solid belong before the second half of the fluid's pressure relaxation.
 template <int Dim>
 class AverageKinematics final : public Method {
-   public:
+ public:
     explicit AverageKinematics(Body<Dim>& body);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
     void transfer(Archive& archive) override;
 
-   private:
+ private:
     Body<Dim>* body_;
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& average_velocity_;

@@ -12,18 +12,18 @@ struct FluidForceParameters {
     input::Name from;
 };
 
-/// Force of a fluid on the particles of a solid: exactly minus what the fluid has felt from them, by
-/// the pair terms of the fluid's own method (fluid::SolidLoad). Written to `force`, so a solid has
-/// one fluid of each kind of load.
+/// Force of a fluid on the particles of a solid: exactly minus what the fluid has felt from them,
+/// by the pair terms of the fluid's own method (fluid::SolidLoad). Written to `force`, so a solid
+/// has one fluid of each kind of load.
 template <int Dim>
 class FluidForce : public Method {
-   public:
+ public:
     FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& fluid, fluid::LoadKind kind,
                Field<Vec<Dim>>& force);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return solid_->size(); }
 
-   private:
+ private:
     Context<Dim>* context_;
     Body<Dim>* solid_;
     Body<Dim>* fluid_;

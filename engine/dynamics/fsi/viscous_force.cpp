@@ -7,8 +7,9 @@ namespace sphinx::fsi {
 void declareViscousForce(input::Registry& registry) {
     using P = FluidForceParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "fsi.viscous_force");
-    d.summary("Viscous force of a fluid on the particles of an elastic body; after the fluid's "
-              "viscous force");
+    d.summary(
+        "Viscous force of a fluid on the particles of an elastic body; after the fluid's "
+        "viscous force");
     d.formula("minus what the fluid has felt, see fluid.viscous_force");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that drags it");

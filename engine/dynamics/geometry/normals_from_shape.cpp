@@ -40,7 +40,9 @@ void declareNormalsFromShape(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::dynamics, "geometry.normals_from_shape");
     d.summary("Normals and depths of a solid's particles from the signed distance of its shape");
     d.required("body", &P::body, input::bodyReference({"solid"}), "solid body with a shape");
-    d.action("", "").reads("body", {"position"}).writes("body", {"normal", "initial_normal", "depth"});
+    d.action("", "")
+        .reads("body", {"position"})
+        .writes("body", {"normal", "initial_normal", "depth"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<NormalsFromShape<Dim>>(bodyOf(context, p.body));
     }));

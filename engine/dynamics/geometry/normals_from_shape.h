@@ -11,17 +11,17 @@ struct NormalsFromShapeParameters {
 };
 
 /// Normal and depth of every particle from the signed distance of the body's shape: the normal of
-/// the nearest point of its surface, outwards, and the distance to it. Bodies bonded to it belong to
-/// the shape: where two parts of one piece meet is no surface.
+/// the nearest point of its surface, outwards, and the distance to it. Bodies bonded to it belong
+/// to the shape: where two parts of one piece meet is no surface.
 template <int Dim>
 class NormalsFromShape final : public Method {
-   public:
+ public:
     explicit NormalsFromShape(Body<Dim>& body);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     ShapePointer<Dim> shape_;
     Field<Vec<Dim>>& normal_;

@@ -56,8 +56,8 @@ void Update<Dim>::keepInside(Body<Dim>& body, const Clock& clock) {
         if (!x.allFinite())
             throw PhysicsError(fmt::format("position of particle {} of {} is {} at time {:g}", id,
                                            body.name, place, clock.time));
-        const std::string message = fmt::format("particle {} of {} left the domain at {}, time {:g}",
-                                                id, body.name, place, clock.time);
+        const std::string message = fmt::format(
+            "particle {} of {} left the domain at {}, time {:g}", id, body.name, place, clock.time);
         if (domain.lost == LostParticles::stop)
             throw PhysicsError(message + " (lost_particles: remove would go on without it)");
         log::info("removed: " + message);
@@ -73,9 +73,7 @@ void declareUpdate(input::Registry& registry) {
     d.summary("Rebuilds every neighbor list with one of the bodies on either side");
     d.required("bodies", &P::bodies, input::list(input::bodyReference({"fluid", "solid"})),
                "bodies that have moved");
-    d.action("", "")
-        .reads("bodies", {"position"})
-        .writes("bodies", {"neighbors"});
+    d.action("", "").reads("bodies", {"position"}).writes("bodies", {"neighbors"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         std::vector<Body<Dim>*> bodies;
         for (const input::Name& name : p.bodies) bodies.push_back(&bodyOf(context, name));

@@ -14,13 +14,13 @@ struct UpdateParameters {
 /// the domain says, and rebuilds every list with one of the bodies on either side.
 template <int Dim>
 class Update final : public Method {
-   public:
+ public:
     Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override;
 
-   private:
+ private:
     void keepInside(Body<Dim>& body, const Clock& clock);
 
     Context<Dim> context_;

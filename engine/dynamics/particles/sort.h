@@ -15,13 +15,13 @@ struct SortParameters {
 /// memory. Changes no value; lists of the body must be rebuilt afterwards.
 template <int Dim>
 class Sort final : public Method {
-   public:
+ public:
     explicit Sort(Body<Dim>& body) : body_(&body) {}
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     CellGrid<Dim> grid_;
 };

@@ -70,8 +70,9 @@ void declareAcousticTimeStep(input::Registry& registry) {
     using P = AcousticTimeStepParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "solid.acoustic_time_step");
     d.summary("Time step of an elastic body by its speed of sound, acceleration and damping");
-    d.formula("min(cfl h/(c + abs(v)), cfl sqrt(h/abs(a)), rho0 h^2/(4 eta)), c^2 = tangent "
-              "modulus / rho0");
+    d.formula(
+        "min(cfl h/(c + abs(v)), cfl sqrt(h/abs(a)), rho0 h^2/(4 eta)), c^2 = tangent "
+        "modulus / rho0");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
     d.timeStep("").reads("body", {"velocity", "acceleration", "deformation_gradient"});

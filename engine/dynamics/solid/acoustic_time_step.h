@@ -12,16 +12,16 @@ struct AcousticTimeStepParameters {
     double cfl = 0.6;
 };
 
-/// cfl min(h/(c + abs(v)), sqrt(h/abs(a))), c^2 = modulus / rho0 with the largest tangent modulus of
-/// the present state; with Kelvin-Voigt damping eta also rho0 h^2 / (4 eta).
+/// cfl min(h/(c + abs(v)), sqrt(h/abs(a))), c^2 = modulus / rho0 with the largest tangent modulus
+/// of the present state; with Kelvin-Voigt damping eta also rho0 h^2 / (4 eta).
 template <int Dim>
 class AcousticTimeStep final : public TimeStepMethod {
-   public:
+ public:
     AcousticTimeStep(Body<Dim>& body, double cfl);
     double estimate() override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     const ElasticSolid* solid_;
     double cfl_;

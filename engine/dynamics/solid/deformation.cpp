@@ -10,8 +10,8 @@
 #include "materials/elastic.h"
 #include "materials/strain.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
+#include <Eigen/LU>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -21,15 +21,16 @@ namespace {
 
 /// Places of the particles at which a loop failed: the first of them, for any number of threads.
 class FirstFailure {
-   public:
+ public:
     void at(std::size_t i) {
         std::size_t known = first_.load();
-        while (i < known && !first_.compare_exchange_weak(known, i)) {}
+        while (i < known && !first_.compare_exchange_weak(known, i)) {
+        }
     }
     bool found() const { return first_.load() != none; }
     std::size_t first() const { return first_.load(); }
 
-   private:
+ private:
     static constexpr std::size_t none = ~std::size_t{0};
     std::atomic<std::size_t> first_ = none;
 };
@@ -101,8 +102,10 @@ void Deformation<Dim>::initialize() {
         rate_[i] = difference(i, velocity_[i], &Neighbors::velocity) * correction_[i];
     });
     if (lonely.found())
-        fail(lonely.first(), "has too few neighbors to tell how it deforms: a body needs two "
-                             "particles or more across in every direction", {});
+        fail(lonely.first(),
+             "has too few neighbors to tell how it deforms: a body needs two "
+             "particles or more across in every direction",
+             {});
 }
 
 template <int Dim>
@@ -150,12 +153,17 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
     if (inverted.found())
         fail(inverted.first(),
              fmt::format("is inverted (det F = {:g}); a smaller cfl, a finer spacing or a stiffer "
-                         "material may help", gradient_[inverted.first()].determinant()), clock);
+                         "material may help",
+                         gradient_[inverted.first()].determinant()),
+             clock);
     if (beyond.found()) {
         const Mat<Dim>& F = gradient_[beyond.first()];
         const double strain = F.squaredNorm() - Dim;
-        fail(beyond.first(), fmt::format("is stretched beyond the finite extensibility of its "
-                                         "material (I1 - 3 = {:g})", strain), clock);
+        fail(beyond.first(),
+             fmt::format("is stretched beyond the finite extensibility of its "
+                         "material (I1 - 3 = {:g})",
+                         strain),
+             clock);
     }
 }
 

@@ -14,13 +14,13 @@ namespace sphinx::solid {
 /// configuration: in itself and in the bodies bonded to it. Gradients g_ij = e_ij W'_ij V_j.
 template <int Dim>
 class Deformation {
-   public:
+ public:
     /// With hourglass control also the energy 1/2 c sum_j k_ij abs(r_ij - F_i R_ij)^2 per volume of
-    /// what F_i does not see of its neighbors' motion, k_ij = abs(W'_ij)/R_ij V_j, c = mu/Dim. F_i is
-    /// the very F that minimises it, so its force is that of springs between pairs,
-    /// -c k_ij (2 r_ij - (F_i + F_j) R_ij), and comes from an energy that no rotation changes.
-    /// c is what the bonds' own deformation gradients F_i + (r_ij - F_i R_ij) (x) R_ij/R_ij^2 would
-    /// give to second order, the shear part of the acoustic tensor alone: no parameter.
+    /// what F_i does not see of its neighbors' motion, k_ij = abs(W'_ij)/R_ij V_j, c = mu/Dim. F_i
+    /// is the very F that minimises it, so its force is that of springs between pairs, -c k_ij (2
+    /// r_ij - (F_i + F_j) R_ij), and comes from an energy that no rotation changes. c is what the
+    /// bonds' own deformation gradients F_i + (r_ij - F_i R_ij) (x) R_ij/R_ij^2 would give to
+    /// second order, the shear part of the acoustic tensor alone: no parameter.
     Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
     /// For initialize() alone.
     Deformation(Context<Dim>& context, Body<Dim>& body);
@@ -42,7 +42,7 @@ class Deformation {
     /// conjugate to (29). With hourglass control, its force as well.
     Vec<Dim> stressDivergence(std::size_t i) const;
 
-   private:
+ private:
     struct Neighbors {
         ReferenceRelation<Dim>* relation;
         const Field<Vec<Dim>>* position;

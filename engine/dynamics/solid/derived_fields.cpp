@@ -59,9 +59,8 @@ void derive(Body<Dim>& body, const FieldInfo& field) {
     const auto& gradient = p.matrix(fields::deformation_gradient);
     if (&field == &fields::green_lagrange_strain) {
         auto& E = p.matrix(field);
-        parallelFor(n, [&](std::size_t i) {
-            E[i] = greenStrain<Dim>(rightCauchyGreen<Dim>(gradient[i]));
-        });
+        parallelFor(
+            n, [&](std::size_t i) { E[i] = greenStrain<Dim>(rightCauchyGreen<Dim>(gradient[i])); });
         return;
     }
     withLaw(dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
@@ -82,8 +81,8 @@ void derive(Body<Dim>& body, const FieldInfo& field) {
             auto& out = p.scalar(field);
             parallelFor(n, [&](std::size_t i) {
                 const Mat<3> F = inSpace<Dim>(gradient[i]);
-                const Mat<3> S = law.template stress<3>(rightCauchyGreen<3>(F),
-                                                        inSpace<Dim>(fibres[i]));
+                const Mat<3> S =
+                    law.template stress<3>(rightCauchyGreen<3>(F), inSpace<Dim>(fibres[i]));
                 out[i] = vonMises(F * S * F.transpose() / F.determinant());
             });
         } else {

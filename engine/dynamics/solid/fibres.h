@@ -10,7 +10,7 @@ namespace sphinx::solid {
 /// Directions of the muscle at each particle of a body, for laws that use them.
 template <int Dim>
 class ParticleFibres {
-   public:
+ public:
     ParticleFibres(Body<Dim>& body, bool used) {
         if (!used) return;
         fibre_ = &body.particles.vector(fields::fibre);
@@ -21,7 +21,7 @@ class ParticleFibres {
         return {(*fibre_)[i], (*sheet_)[i]};
     }
 
-   private:
+ private:
     const Field<Vec<Dim>>* fibre_ = nullptr;
     const Field<Vec<Dim>>* sheet_ = nullptr;
 };

@@ -40,8 +40,8 @@ double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
     auto& body = const_cast<Body<Dim>&>(constant);  // fields are asked for, not changed
     const auto& gradient = body.particles.matrix(fields::deformation_gradient);
     const auto& volume = body.particles.scalar(fields::volume);
-    const double elastic = withLaw(
-        dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
+    const double elastic =
+        withLaw(dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
             const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
             return parallelSum(body.size(), [&](std::size_t i) {
                 if (body.isImage(i)) return 0.0;

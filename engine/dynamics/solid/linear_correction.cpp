@@ -7,7 +7,8 @@ namespace sphinx::solid {
 void declareLinearCorrection(input::Registry& registry) {
     using P = LinearCorrectionParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "solid.linear_correction");
-    d.summary("Correction matrices and initial deformation of an elastic body; belongs to the start");
+    d.summary(
+        "Correction matrices and initial deformation of an elastic body; belongs to the start");
     d.formula("guide (30): B_i = (-sum_j R_ij (x) e_ij W' V_j)^-1 in the reference configuration");
     d.citation("Randles & Libersky 1996, doi:10.1016/S0045-7825(96)01090-0");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");

@@ -15,12 +15,12 @@ struct LinearCorrectionParameters {
 /// velocities have at the start.
 template <int Dim>
 class LinearCorrection final : public Method {
-   public:
+ public:
     LinearCorrection(Context<Dim>& context, Body<Dim>& body) : deformation_(context, body) {}
     void run(int, const Clock&) override { deformation_.initialize(); }
     std::size_t workSize() const override { return deformation_.body().size(); }
 
-   private:
+ private:
     Deformation<Dim> deformation_;
 };
 

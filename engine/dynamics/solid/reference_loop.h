@@ -39,8 +39,8 @@ inline Mat<Dim> sumMatrix(const Lanes (&sum)[Dim][Dim]) {
     return result;
 }
 
-/// Adds factor sum_j k_j (a_j - own) over the neighbors of i to `sum`, k the weights of their places.
-/// (Differences, so that rounding does not grow with the distance from the origin.)
+/// Adds factor sum_j k_j (a_j - own) over the neighbors of i to `sum`, k the weights of their
+/// places. (Differences, so that rounding does not grow with the distance from the origin.)
 template <int Dim>
 inline void addWeighted(const NeighborList<Dim, double>& list, const double* weights, double factor,
                         std::size_t i, const Vec<Dim>& own, const Vec<Dim>* values,

@@ -35,8 +35,8 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
     deformation_.firstHalf(clock, damping_);
     parallelFor(body_->size(), [&](std::size_t i) {
-        const Vec<Dim> force = volume_[i] * deformation_.stressDivergence(i) +
-                               pressure_force_[i] + viscous_force_[i];
+        const Vec<Dim> force =
+            volume_[i] * deformation_.stressDivergence(i) + pressure_force_[i] + viscous_force_[i];
         const Vec<Dim> a = force / mass_[i] + external_[i];
         acceleration_[i] = a;
         velocity_[i] += dt * a;
@@ -57,17 +57,20 @@ void declareStressRelaxation(input::Registry& registry) {
     d.formula(
         "guide (5), (29), (31) as drift-kick-drift; m_i dv_i/dt = sum_j (P_i B_i^T + P_j B_j^T) "
         "e_ij W' V_i V_j, dF_i/dt = -sum_j v_ij (x) e_ij W' V_j B_i");
-    d.citation("Vignjevic, Reveles & Campbell 2006, doi:10.3970/cmes.2006.014.181; Bonet & Lok "
-               "1999, doi:10.1016/S0045-7825(99)00051-1 (conjugate form)");
+    d.citation(
+        "Vignjevic, Reveles & Campbell 2006, doi:10.3970/cmes.2006.014.181; Bonet & Lok "
+        "1999, doi:10.1016/S0045-7825(99)00051-1 (conjugate form)");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is stepped");
     d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
                "whether neighbors are also held by what the deformation gradient does not see of "
                "their motion; in all bonded bodies alike");
-    d.optional("damping", &P::damping, input::boolean(),
-               "whether the Kelvin-Voigt damping of the material acts; two methods, one with and one "
-               "without, can share the time of a run");
-    d.action("first_half", "deformation, stress and position to the half step; velocity by a whole "
-                           "step")
+    d.optional(
+        "damping", &P::damping, input::boolean(),
+        "whether the Kelvin-Voigt damping of the material acts; two methods, one with and one "
+        "without, can share the time of a run");
+    d.action("first_half",
+             "deformation, stress and position to the half step; velocity by a whole "
+             "step")
         .reads("body", {"initial_position", "position", "velocity", "mass", "volume",
                         "correction_matrix", "deformation_gradient", "deformation_rate",
                         "external_acceleration", "pressure_force", "viscous_force"})

@@ -21,7 +21,7 @@ struct StressRelaxationParameters {
 /// forces of fluids by pressure and viscosity. A constraint acts between the halves.
 template <int Dim>
 class StressRelaxation final : public Method {
-   public:
+ public:
     StressRelaxation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control, bool damping);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
@@ -29,7 +29,7 @@ class StressRelaxation final : public Method {
     void firstHalf(const Clock& clock);
     void secondHalf(double dt);
 
-   private:
+ private:
     Body<Dim>* body_;
     Deformation<Dim> deformation_;
     bool damping_;

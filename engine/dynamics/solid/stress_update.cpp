@@ -8,8 +8,9 @@ void declareStressUpdate(input::Registry& registry) {
     using P = StressUpdateParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "solid.stress_update");
     d.summary("Stress of an elastic body whose particles are held, for bodies bonded to it");
-    d.formula("guide (29), (6): F += dt/2 dF/dt and P(F) in the first half; dF/dt and F += dt/2 "
-              "dF/dt in the second");
+    d.formula(
+        "guide (29), (6): F += dt/2 dF/dt and P(F) in the first half; dF/dt and F += dt/2 "
+        "dF/dt in the second");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is held");
     d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
                "as in solid.stress_relaxation of the bodies bonded to it");

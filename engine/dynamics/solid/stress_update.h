@@ -16,7 +16,7 @@ struct StressUpdateParameters {
 /// step of a body that is bonded to it: guide, chapter 5, the base of the gate. Nothing moves.
 template <int Dim>
 class StressUpdate final : public Method {
-   public:
+ public:
     StressUpdate(Context<Dim>& context, Body<Dim>& body, bool hourglass_control)
         : deformation_(context, body, hourglass_control) {}
     void run(int action, const Clock& clock) override {
@@ -27,7 +27,7 @@ class StressUpdate final : public Method {
     }
     std::size_t workSize() const override { return deformation_.body().size(); }
 
-   private:
+ private:
     Deformation<Dim> deformation_;
 };
 

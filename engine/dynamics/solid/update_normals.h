@@ -14,12 +14,12 @@ struct UpdateNormalsParameters {
 /// start.
 template <int Dim>
 class UpdateNormals final : public Method {
-   public:
+ public:
     explicit UpdateNormals(Body<Dim>& body);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
-   private:
+ private:
     Body<Dim>* body_;
     Field<Vec<Dim>>& normal_;
     Field<Vec<Dim>>& initial_normal_;

@@ -128,8 +128,8 @@ TEST_CASE("the reaction of a clamped body is its weight when it has come to rest
 TEST_CASE("images stand behind the surface of the clamp, in its corners behind both") {
     ElasticScene<2> scene;
     Body<2>& body = scene.add("block", scene.lattice({8, 8}));
-    const geometry::ShapePointer<2> rest = geometry::makeBox<2>(
-        Vec<2>::Constant(depth), Vec<2>::Constant(6 * spacing));
+    const geometry::ShapePointer<2> rest =
+        geometry::makeBox<2>(Vec<2>::Constant(depth), Vec<2>::Constant(6 * spacing));
     scene.addPart(body, "frame", [&](const Vec<2>& R) { return !rest->contains(R); });
     body.parts.back().shape = geometry::makeDifference<2>(
         {geometry::makeBox<2>(Vec<2>::Constant(-10), Vec<2>::Constant(10)), rest});

@@ -251,7 +251,9 @@ TEST_CASE("the damping of the material can be left out") {
     const auto stressAt = [](double eta, bool acts) {
         Patch<2> patch(false, true, eta);
         patch.set([](const Vec<2>& R) -> Vec<2> { return 1.1 * R; },
-                  [](const Vec<2>& R) -> Vec<2> { return {R[1], 3 * R[0]}; });
+                  [](const Vec<2>& R) -> Vec<2> {
+                      return {R[1], 3 * R[0]};
+                  });
         patch.deformations[0].firstHalf({}, acts);
         return patch.bodies[0]->particles.matrix(fields::corrected_stress)[7];
     };

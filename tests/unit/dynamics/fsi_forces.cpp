@@ -113,12 +113,14 @@ TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that pressure takes f
     }
 }
 
-TEST_CASE("of two pressure relaxations that share the time, the elastic body feels the one that acts") {
+TEST_CASE(
+    "of two pressure relaxations that share the time, the elastic body feels the one that acts") {
     Meeting<2> meeting;
     PressureRelaxation<2> first(meeting.context, *meeting.fluid, Riemann::dissipative);
     PressureRelaxation<2> second(meeting.context, *meeting.fluid, Riemann::none);
     auto& force = meeting.solid->particles.vector(fields::pressure_force);
-    fsi::FluidForce<2> load(meeting.context, *meeting.solid, *meeting.fluid, LoadKind::pressure, force);
+    fsi::FluidForce<2> load(meeting.context, *meeting.solid, *meeting.fluid, LoadKind::pressure,
+                            force);
     meeting.relations.update({meeting.fluid, meeting.solid});
     const double dt = 1e-3;
     CHECK(presentLoad(meeting.context.loads, *meeting.fluid, LoadKind::pressure) == &first);

@@ -226,11 +226,13 @@ TEMPLATE_TEST_CASE_SIG("spring and dashpot: period and logarithmic decrement", "
     CHECK((centreOf(body) - rest).template tail<Dim - 1>().norm() < 1e-12);
 }
 
-TEMPLATE_TEST_CASE_SIG("damping of the velocity: exact over any steps", "", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("damping of the velocity: exact over any steps", "", ((int Dim), Dim), 2,
+                       3) {
     ElasticScene<Dim> scene;
     Body<Dim>& body = scene.add("block", scene.lattice(cube<Dim>(3)));
     auto& velocity = body.particles.vector(fields::velocity);
-    for (std::size_t i = 0; i < body.size(); ++i) velocity[i] = scene.random.template vector<Dim>(1);
+    for (std::size_t i = 0; i < body.size(); ++i)
+        velocity[i] = scene.random.template vector<Dim>(1);
     const std::vector<Vec<Dim>> before(velocity.data(), velocity.data() + body.size());
     force::VelocityDamping<Dim> damping(body, 40);
     for (const double dt : {0.01, 0.2, 0.003}) damping.run(0, {0, dt, 0});

@@ -54,8 +54,8 @@ struct Fluid {
     Body<Dim>* body;
 };
 
-/// A cube of (2n + 1)^Dim lattice points around the origin, which is the middle one of them; in each
-/// row, the points of one x for each y, displaced by `place` of the row along x.
+/// A cube of (2n + 1)^Dim lattice points around the origin, which is the middle one of them; in
+/// each row, the points of one x for each y, displaced by `place` of the row along x.
 template <int Dim, class Place>
 std::vector<Vec<Dim>> rows(int n, Place&& place) {
     std::vector<Vec<Dim>> points;

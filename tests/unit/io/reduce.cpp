@@ -147,9 +147,10 @@ TEST_CASE("reductions of a case are named and checked") {
         return errorOf([&] { Entry(yaml).make(scene.context(folder.path())); });
     };
     using Catch::StartsWith;
-    CHECK_THAT(error("{type: reduce, body: wall, quantity: mechanical_energy}"),
-               StartsWith("case.yaml:1:22: error: 'wall' is rigid: it has no internal energy; ask for "
-                          "kinetic_energy"));
+    CHECK_THAT(
+        error("{type: reduce, body: wall, quantity: mechanical_energy}"),
+        StartsWith("case.yaml:1:22: error: 'wall' is rigid: it has no internal energy; ask for "
+                   "kinetic_energy"));
     CHECK_THAT(error("{type: reduce, body: wall, quantity: kinetic_energy}"),
                StartsWith("case.yaml:1:22: error: 'wall' has no field 'velocity' in this case"));
     CHECK_THAT(error("{type: reduce, body: water, quantity: front_position, axis: z}"),

@@ -67,9 +67,10 @@ TEST_CASE("a field is read before anything wrote it") {
         facts.start.pop_back();
         facts.makers = {{"normals_from_shape", {"normal", "depth"}}, {"weights", {"mass"}}};
         facts.outputs[0].accesses.push_back(read("wall", "depth"));
-        CHECK(found(facts) ==
-              Messages{"22 error pressure_relaxation.first_half reads normal of wall, which nothing "
-                       "computes: call a method of type normals_from_shape for wall first"});
+        CHECK(
+            found(facts) ==
+            Messages{"22 error pressure_relaxation.first_half reads normal of wall, which nothing "
+                     "computes: call a method of type normals_from_shape for wall first"});
         facts.makers.push_back({"other_normals", {"normal"}});  // which of them?
         facts.outputs[0].accesses.pop_back();
         CHECK(found(facts) ==

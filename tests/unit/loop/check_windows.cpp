@@ -39,20 +39,23 @@ TEST_CASE("two methods that share the time of a run are as good as one") {
     Shared lines;
     for (const auto& steps : std::vector<std::vector<StepFacts>>{
              {{lines.first_half}, {lines.other_first}, {lines.second_half}, {lines.other_second}},
-             {{lines.first_half}, {lines.second_half}, {lines.other_first}, {lines.other_second}}}) {
+             {{lines.first_half},
+              {lines.second_half},
+              {lines.other_first},
+              {lines.other_second}}}) {
         LoopFacts facts = lines.facts(steps);
         CHECK(found(facts).empty());
         CHECK(liveFields(facts) == liveFields(DamBreak().facts()));
     }
     SECTION("three of them, in the outer layer as well") {
-        LoopFacts facts =
-            lines.facts({{lines.first_half},
-                         {limited(lines.other_first, 1.0, 2.0)},
-                         {limited(lines.other_first, 2.0, {})},
-                         {lines.second_half},
-                         {lines.other_second}});
+        LoopFacts facts = lines.facts({{lines.first_half},
+                                       {limited(lines.other_first, 1.0, 2.0)},
+                                       {limited(lines.other_first, 2.0, {})},
+                                       {lines.second_half},
+                                       {lines.other_second}});
         facts.outermost.steps[0] = {limited(lines.density, {}, 1.5)};
-        facts.outermost.steps.insert(facts.outermost.steps.begin(), {limited(lines.density, 1.5, {})});
+        facts.outermost.steps.insert(facts.outermost.steps.begin(),
+                                     {limited(lines.density, 1.5, {})});
         CHECK(found(facts).empty());
     }
 }
@@ -67,23 +70,26 @@ TEST_CASE("what is written in a part of the time only is not there in the rest")
         changed.outermost.steps.insert(changed.outermost.steps.begin(), {{first}, {second}});
         return found(changed);
     };
-    const Messages from_1{"15 error look reads mark of wall, which mark writes only at times from 1: let "
-                          "it be written in the other steps before it is read, or in start"};
+    const Messages from_1{
+        "15 error look reads mark of wall, which mark writes only at times from 1: let "
+        "it be written in the other steps before it is read, or in start"};
     CHECK(with(limited(mark, 1.0, {}), look) == from_1);
     CHECK(with(limited(mark, 1.0, {}), limited(look, 0.5, {})) == from_1);
     CHECK(with(limited(mark, 1.0, {}), limited(look, 1.0, 3.0)).empty());
     CHECK(with(limited(mark, 1.0, {}), limited(look, 2.0, {})).empty());
     // A step may reach over the whole window.
     CHECK(with(limited(mark, 1.0, 1.1), limited(look, 2.0, {})) ==
-          Messages{"15 error look reads mark of wall, which mark writes only at times from 1 until 1.1: "
-                   "let it be written in the other steps before it is read, or in start"});
+          Messages{
+              "15 error look reads mark of wall, which mark writes only at times from 1 until 1.1: "
+              "let it be written in the other steps before it is read, or in start"});
     // The first step is within its window.
     CHECK(with(limited(mark, {}, 1.0), look).empty());
     // What a former step has written is there.
     CHECK(with(limited(look, 1.0, {}), mark).empty());
-    CHECK(with(look, mark) ==
-          Messages{"15 error look reads mark of wall before mark has written it: call mark earlier, "
-                   "or in start"});
+    CHECK(
+        with(look, mark) ==
+        Messages{"15 error look reads mark of wall before mark has written it: call mark earlier, "
+                 "or in start"});
     SECTION("start makes it good") {
         facts.start.push_back(mark);
         CHECK(with(limited(mark, 1.0, {}), look).empty());
@@ -125,12 +131,14 @@ TEST_CASE("an acceleration may be added in a part of the time") {
     CHECK(found(facts).empty());
     SECTION("also where nothing reads it for a while") {
         LayerFacts& acoustic = std::get<LayerFacts>(facts.outermost.steps[2].value);
-        acoustic.steps = {{limited(lines.first_half, {}, 1.5)}, {limited(lines.second_half, {}, 1.5)}};
+        acoustic.steps = {{limited(lines.first_half, {}, 1.5)},
+                          {limited(lines.second_half, {}, 1.5)}};
         CHECK(found(facts).empty());
     }
     SECTION("but not where nothing reads it then") {
         LayerFacts& acoustic = std::get<LayerFacts>(facts.outermost.steps[2].value);
-        acoustic.steps = {{limited(lines.first_half, {}, 1.0)}, {limited(lines.second_half, {}, 1.0)}};
+        acoustic.steps = {{limited(lines.first_half, {}, 1.0)},
+                          {limited(lines.second_half, {}, 1.0)}};
         CHECK(found(facts).size() == 1);
     }
 }

@@ -51,7 +51,8 @@ struct Run {
                     {{"small", &small}},
                     {},
                     Fit::clip,
-                    {call("kick", kick), every("remesh", remesh, eachSteps(7, "inner")),
+                    {call("kick", kick),
+                     every("remesh", remesh, eachSteps(7, "inner")),
                      {Call{"extra kick", &kick, 0, {}, {0.7, 2.2}}},
                      {Call{"remesh late", &remesh, 0, eachTime(0.05), {1.1, {}}}}}};
         Layer middle_layer{"middle",

@@ -55,8 +55,8 @@ TEST_CASE("a call acts in the substeps that begin within its window") {
 TEST_CASE("a call of an inner layer goes by the substeps of that layer") {
     Journal journal;
     Recorder before("before", journal), after("after", journal), outside("outside", journal);
-    const Layer inner =
-        fixedLayer("inner", 0.25, {limited("before", before, {}, 1.6), limited("after", after, 1.6, {})});
+    const Layer inner = fixedLayer(
+        "inner", 0.25, {limited("before", before, {}, 1.6), limited("after", after, 1.6, {})});
     const Layer outer = fixedLayer("outer", 1.0, {{inner}, limited("outside", outside, 1.6, {})});
     LayerRun run(outer, 0);
     for (int k = 0; k < 3; ++k) run.stepFreely();
@@ -93,8 +93,9 @@ TEST_CASE("a step whose size changes on the way keeps to what it has begun with"
     Journal journal;
     Recorder first("first", journal), second("second", journal);
     const Layer inner = fixedLayer("inner", 0.75, {}, Fit::overshoot);
-    const Layer outer = fixedLayer(
-        "outer", 1.0, {limited("first", first, {}, 1.0), {inner}, limited("second", second, 1.0, {})});
+    const Layer outer =
+        fixedLayer("outer", 1.0,
+                   {limited("first", first, {}, 1.0), {inner}, limited("second", second, 1.0, {})});
     LayerRun run(outer, 0);
     run.stepFreely();  // to 1.5
     CHECK(run.clock().time == 1.5);

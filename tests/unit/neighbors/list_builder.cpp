@@ -64,7 +64,8 @@ void compareWithAllPairs(bool same, bool periodic) {
         for (const auto& block : list.of(i)) {
             for (int lane = 0; lane < lane_count; ++lane, ++k) {
                 Vec<Dim> gradient;
-                for (int c = 0; c < Dim; ++c) gradient[c] = list.gradient_unit * block.gradient[c][lane];
+                for (int c = 0; c < Dim; ++c)
+                    gradient[c] = list.gradient_unit * block.gradient[c][lane];
                 if (k >= list.ranges[i].count) {
                     REQUIRE(gradient.norm() == 0);
                     continue;
