@@ -33,15 +33,15 @@ void Clamp<Dim>::run(int, const Clock& clock) {
         const auto load = [&](Index i) -> Vec<Dim> {
             return mass_[i] * external_[i] + pressure_force_[i] + viscous_force_[i];
         };
-        reaction_.setZero();
+        this->reaction_.setZero();
         for (std::size_t n = 0; n < part_.size(); ++n) {
             const Index i = part_[n];
-            reaction_ -= mass_[i] * acceleration_[i];
+            this->reaction_ -= mass_[i] * acceleration_[i];
         }
         for (const ImageLink& link : links_) {
             const Index i = link.image;
             const Vec<Dim> force = link.weight * (mass_[i] * acceleration_[i] - load(i));
-            reaction_ += force;
+            this->reaction_ += force;
             acceleration_[link.real] += force / mass_[link.real];
             velocity_[link.real] += clock.dt / mass_[link.real] * force;
         }
@@ -49,12 +49,6 @@ void Clamp<Dim>::run(int, const Clock& clock) {
     for (std::size_t n = 0; n < part_.size(); ++n) velocity_[part_[n]].setZero();
     for (const ImageLink& link : links_)
         velocity_[link.image] += link.weight * velocity_[link.real];
-}
-
-template <int Dim>
-void Clamp<Dim>::transfer(Archive& archive) {
-    for (int c = 0; c < Dim; ++c)
-        archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
 }
 
 void declareClamp(input::Registry& registry) {

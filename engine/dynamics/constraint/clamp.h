@@ -28,8 +28,7 @@ class Clamp final : public Method, public Support<Dim> {
     std::size_t workSize() const override { return part_.size(); }
 
     const Body<Dim>& supported() const override { return part_.body(); }
-    Vec<Dim> reaction() const override { return reaction_; }
-    void transfer(Archive& archive) override;
+    void transfer(Archive& archive) override { this->transferReaction(archive); }
 
  private:
     void prepare();
@@ -46,7 +45,6 @@ class Clamp final : public Method, public Support<Dim> {
     Field<Vec<Dim>>& pressure_force_;
     Field<Vec<Dim>>& viscous_force_;
     Field<double>& mass_;
-    Vec<Dim> reaction_ = Vec<Dim>::Zero();
 };
 
 /// Registers constraint.clamp.

@@ -32,13 +32,7 @@ void Fix<Dim>::run(int, const Clock& clock) {
             return sum;
         },
         [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
-    if (clock.dt > 0) reaction_ = -momentum / clock.dt;
-}
-
-template <int Dim>
-void Fix<Dim>::transfer(Archive& archive) {
-    for (int c = 0; c < Dim; ++c)
-        archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
+    if (clock.dt > 0) this->reaction_ = -momentum / clock.dt;
 }
 
 void declareFix(input::Registry& registry) {

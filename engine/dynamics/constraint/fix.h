@@ -26,15 +26,13 @@ class Fix final : public Method, public Support<Dim> {
     std::size_t workSize() const override { return part_.size(); }
 
     const Body<Dim>& supported() const override { return part_.body(); }
-    Vec<Dim> reaction() const override { return reaction_; }
-    void transfer(Archive& archive) override;
+    void transfer(Archive& archive) override { this->transferReaction(archive); }
 
  private:
     Part<Dim> part_;
     std::array<bool, Dim> fixed_{};
     Field<Vec<Dim>>& velocity_;
     Field<double>& mass_;
-    Vec<Dim> reaction_ = Vec<Dim>::Zero();
 };
 
 /// Registers constraint.fix.

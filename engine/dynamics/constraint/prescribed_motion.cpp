@@ -50,13 +50,7 @@ void PrescribedSolidMotion<Dim>::run(int, const Clock& clock) {
             return sum;
         },
         [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
-    reaction_ = momentum / dt;
-}
-
-template <int Dim>
-void PrescribedSolidMotion<Dim>::transfer(Archive& archive) {
-    for (int c = 0; c < Dim; ++c)
-        archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
+    this->reaction_ = momentum / dt;
 }
 
 template <int Dim>

@@ -72,11 +72,7 @@ class PrescribedSolidMotion final : public PrescribedMotion<Dim>, public Support
     using PrescribedMotion<Dim>::PrescribedMotion;
     void run(int action, const Clock& clock) override;
     const Body<Dim>& supported() const override { return this->part_.body(); }
-    Vec<Dim> reaction() const override { return reaction_; }
-    void transfer(Archive& archive) override;
-
- private:
-    Vec<Dim> reaction_ = Vec<Dim>::Zero();
+    void transfer(Archive& archive) override { this->transferReaction(archive); }
 };
 
 /// Of a rigid body, at the start of a step: the position R + u(t + dt) at its end, and velocity and

@@ -3,6 +3,9 @@
 #pragma once
 
 #include "bodies/body.h"
+#include "core/archive.h"
+
+#include <string>
 
 namespace sphinx::constraint {
 
@@ -13,7 +16,14 @@ class Support {
     virtual ~Support() = default;
     virtual const Body<Dim>& supported() const = 0;
     /// Sum of the forces on the held particles in the last step, force.
-    virtual Vec<Dim> reaction() const = 0;
+    Vec<Dim> reaction() const { return reaction_; }
+
+ protected:
+    void transferReaction(Archive& archive) {
+        for (int c = 0; c < Dim; ++c)
+            archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);
+    }
+    Vec<Dim> reaction_ = Vec<Dim>::Zero();
 };
 
 }  // namespace sphinx::constraint
