@@ -7,6 +7,7 @@
 #include "materials/material.h"
 #include "particles/particle_set.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -22,7 +23,7 @@ struct BodyPart {
     std::string name;
     AlignedVector<Index> particles;  ///< ascending
     geometry::ShapePointer<Dim> shape;
-    bool mirrors = false;  ///< its particles are images, see Body::images
+    bool mirrors = false;  ///< makes images, see Body::findImages
 };
 
 /// Particles with a material, a shape and a resolution.
@@ -40,9 +41,11 @@ struct Body {
     /// Neighbors that are one piece of material with this body (topology: bonded).
     std::vector<Body*> bonded;
     std::vector<BodyPart<Dim>> parts;
-    /// Not 0: the particle only mirrors the motion of others (constraint.clamp), it is no material
-    /// and has no stress. Empty: there is none.
+    /// Not 0: the motion of the particle is that of others (constraint.clamp), it has no mass of
+    /// its own. Empty: there is none.
     std::vector<std::uint8_t> images;
+    /// Part of its cell that is elastic material, 0 to 1: what no clamp covers. Empty: 1.
+    std::vector<double> shares;
     /// Stiffness of its hourglass control, pressure; see solid/deformation.h.
     double hourglass_modulus = 0;
     /// Counts every change of positions or order of the particles: a list that was built at
@@ -51,15 +54,32 @@ struct Body {
 
     std::size_t size() const { return particles.size(); }
     bool isImage(std::size_t i) const { return !images.empty() && images[i] != 0; }
-    /// Finds the images anew, from the parts that mirror.
+    double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
+    /// Finds images and shares anew, from the parts that mirror.
     void findImages() {
         images.clear();
+        shares.clear();
         for (const BodyPart<Dim>& part : parts) {
             if (!part.mirrors) continue;
             images.resize(size());
-            for (const Index i : part.particles) images[i] = 1;
+            shares.resize(size(), 1);
+            for (std::size_t i = 0; i < size(); ++i) {
+                const double share = outside(part, i);
+                shares[i] = std::min(shares[i], share);
+                if (share < real_share) images[i] = 1;
+            }
         }
     }
+    /// How much of the particle's cell, one spacing wide, lies outside of a part: 0 to 1.
+    double outside(const BodyPart<Dim>& part, std::size_t i) {
+        const auto& start = particles.vector(fields::initial_position);
+        const double share = 0.5 + part.shape->signedDistance(start[i]) / spacing;
+        constexpr double rounding = 1e-6;  // of the places of a lattice
+        return share < rounding ? 0 : share > 1 - rounding ? 1 : share;
+    }
+    /// A particle of which a clamp leaves less is an image: rows of a lattice then begin between a
+    /// quarter and five quarters of a spacing outside of it.
+    static constexpr double real_share = 0.75 - 1e-6;
     /// This body and those bonded to it: one piece of material.
     std::vector<Body*> piece() {
         std::vector<Body*> bodies{this};

@@ -25,11 +25,20 @@ class Part {
     std::size_t size() const { return part_ ? part_->particles.size() : body_->size(); }
     /// Index in the body of the n-th particle.
     std::size_t operator[](std::size_t n) const { return part_ ? part_->particles[n] : n; }
-    /// Makes images of its particles, those that it has later included. A whole body has none.
+    /// Makes images (Body::images), also of those that it has later. A whole body has none.
     void mirror() {
         if (!part_) return;
         part_->mirrors = true;
         body_->findImages();
+    }
+    /// Those that follow others because of this part; ascending.
+    std::vector<Index> images() const {
+        std::vector<Index> found;
+        if (!part_) return found;
+        for (std::size_t i = 0; i < body_->size(); ++i)
+            if (body_->outside(*part_, i) < Body<Dim>::real_share)
+                found.push_back(static_cast<Index>(i));
+        return found;
     }
     /// Where its particles are at the start; of the body where it is all of it.
     const geometry::Shape<Dim>* shape() const {

@@ -98,8 +98,8 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
                 }
                 if (g.isZero(0)) continue;
                 const Vec<Dim> R = world_->domain.difference(from[i], to[block.index[k]]);
-                // Each side bears half of a bond's energy, images none.
-                const double share = 0.5 * (!r.from->isImage(i) + !r.to->isImage(block.index[k]));
+                // Each side bears half of a bond's energy, as far as it is material.
+                const double share = 0.5 * (r.from->share(i) + r.to->share(block.index[k]));
                 const double weight = share * g.norm() / R.norm();
                 r.gradient_sum[i] += g;
                 r.weight[b * lane_count + static_cast<std::size_t>(k)] = weight;

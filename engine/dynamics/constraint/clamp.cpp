@@ -22,7 +22,8 @@ template <int Dim>
 void Clamp<Dim>::prepare() {
     if (prepared_) return;
     relations_->build(*relation_);
-    links_ = mirrorImages(part_, *relation_, relations_->domain());
+    images_ = part_.images();
+    links_ = mirrorImages(part_, images_, *relation_, relations_->domain());
     prepared_ = true;
 }
 
@@ -34,10 +35,7 @@ void Clamp<Dim>::run(int, const Clock& clock) {
             return mass_[i] * external_[i] + pressure_force_[i] + viscous_force_[i];
         };
         this->reaction_.setZero();
-        for (std::size_t n = 0; n < part_.size(); ++n) {
-            const Index i = part_[n];
-            this->reaction_ -= mass_[i] * acceleration_[i];
-        }
+        for (const Index i : images_) this->reaction_ -= mass_[i] * acceleration_[i];
         for (const ImageLink& link : links_) {
             const Index i = link.image;
             const Vec<Dim> force = link.weight * (mass_[i] * acceleration_[i] - load(i));
@@ -46,7 +44,7 @@ void Clamp<Dim>::run(int, const Clock& clock) {
             velocity_[link.real] += clock.dt / mass_[link.real] * force;
         }
     }
-    for (std::size_t n = 0; n < part_.size(); ++n) velocity_[part_[n]].setZero();
+    for (const Index i : images_) velocity_[i].setZero();
     for (const ImageLink& link : links_)
         velocity_[link.image] += link.weight * velocity_[link.real];
 }
@@ -55,12 +53,12 @@ void declareClamp(input::Registry& registry) {
     using P = ClampParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "constraint.clamp");
     d.summary(
-        "Clamps an elastic body along the surface of a part, whose particles mirror the motion "
-        "of the others");
+        "Clamps an elastic body along the surface of a part, wherever it runs through the lattice; "
+        "particles within mirror the motion of the others");
     d.formula("u = 0 on the surface: u_g = sum_k c_gk u_k, sum_k c_gk = -1; f_k += sum_g c_gk f_g");
     d.citation("mirror particles as in Libersky et al. 1993, doi:10.1006/jcph.1993.1199");
     d.required("part", &P::part, input::partReference({"elastic"}),
-               "part of a body; its particles carry no stress and no mass");
+               "part of a body; particles that it covers by more than a quarter have no mass");
     d.action("", "between the halves of the step, and at the start before the correction")
         .reads("part", {"initial_position", "velocity", "mass", "acceleration",
                         "external_acceleration", "pressure_force", "viscous_force"})

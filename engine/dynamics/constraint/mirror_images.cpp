@@ -34,11 +34,17 @@ class Surroundings {
     /// f(j) for every real particle within the cutoff of particle i.
     template <class Function>
     void forEach(Index i, Function&& f) const {
-        if (!body_.isImage(i)) f(i);
-        std::uint32_t left = relation_.list.ranges[i].count;
-        for (const auto& block : relation_.list.of(i))
-            for (int k = 0; k < lane_count && left > 0; ++k, --left)
-                if (!body_.isImage(block.index[k])) f(block.index[k]);
+        forAll(i, [&](Index j) {
+            if (!body_.isImage(j)) f(j);
+        });
+    }
+    /// Of those around particle i, images included, the one with the largest share.
+    Index mostMaterial(Index i) const {
+        Index best = i;
+        forAll(i, [&](Index j) {
+            if (body_.share(j) > body_.share(best)) best = j;
+        });
+        return best;
     }
     /// Nearest to the point of those around particle i; i itself if there is none.
     Index nearest(Index i, const Vec<Dim>& point) const {
@@ -57,6 +63,13 @@ class Surroundings {
     }
 
  private:
+    template <class Function>
+    void forAll(Index i, Function&& f) const {
+        f(i);
+        std::uint32_t left = relation_.list.ranges[i].count;
+        for (const auto& block : relation_.list.of(i))
+            for (int k = 0; k < lane_count && left > 0; ++k, --left) f(block.index[k]);
+    }
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     const Body<Dim>& body_;
     const Field<Vec<Dim>>& start_;
@@ -64,12 +77,12 @@ class Surroundings {
     const Domain<Dim>& domain_;
 };
 
-/// Adds the links of an image to the particles around its mirror point, next to which `center` is.
+/// Adds the links of an image that moves `factor` times as the point, next to which `center` is.
 template <int Dim>
-void link(const Surroundings<Dim>& around, const Kernel<Dim>& kernel, Index image, Index center,
-          const Vec<Dim>& point, double spacing, std::vector<ImageLink>& links) {
+void link(const Surroundings<Dim>& around, const Kernel<Dim>& kernel, Index image, double factor,
+          Index center, const Vec<Dim>& point, double spacing, std::vector<ImageLink>& links) {
     if (around.offset(center, point).norm() < 1e-6 * spacing) {
-        links.push_back({image, center, -1});
+        links.push_back({image, center, factor});
         return;
     }
     using Basis = Eigen::Matrix<double, Dim + 1, 1>;
@@ -90,49 +103,68 @@ void link(const Surroundings<Dim>& around, const Kernel<Dim>& kernel, Index imag
     bool invertible = false;
     moment.computeInverseWithCheck(inverse, invertible, 1e-9);
     if (!invertible) {  // in a row: no linear field
-        links.push_back({image, center, -1});
+        links.push_back({image, center, factor});
         return;
     }
     const Basis factors = inverse.col(0);
     around.forEach(center, [&](Index j) {
         const double weight = near(j) * factors.dot(basis(j));
-        if (weight != 0) links.push_back({image, j, -weight});
+        if (weight != 0) links.push_back({image, j, factor * weight});
     });
 }
 
 }  // namespace
 
 template <int Dim>
-std::vector<ImageLink> mirrorImages(const Part<Dim>& part, const ReferenceRelation<Dim>& relation,
+std::vector<ImageLink> mirrorImages(const Part<Dim>& part, const std::vector<Index>& images,
+                                    const ReferenceRelation<Dim>& relation,
                                     const Domain<Dim>& domain) {
     Body<Dim>& body = part.body();
     const auto& start = body.particles.vector(fields::initial_position);
     const Surroundings<Dim> around(body, start, relation, domain);
+    const geometry::Shape<Dim>& shape = *part.shape();
+    const double half = 0.5 * body.spacing;
+    const double ahead = 0.75 * body.spacing;  // where rows begin, give or take half a spacing
+    // The real particle next to the point, on the way from `from`.
+    const auto approached = [&](Index from, const Vec<Dim>& point) {
+        for (Index last = from;; last = from) {
+            from = around.nearest(last, point);
+            if (from == last) return from;
+        }
+    };
     std::vector<ImageLink> links;
-    for (std::size_t n = 0; n < part.size(); ++n) {
-        const Index image = part[n];
+    for (const Index image : images) {
         Vec<Dim> point = start[image];
         Index next = around.nearest(image, point);
-        if (next == image) continue;
-        // In a corner the image of one face lies behind another.
-        for (int face = 0; face < Dim && part.shape()->contains(point); ++face) {
-            point = mirrored<Dim>(*part.shape(), start[next], point);
-            for (Index last = image; last != next;) {
-                last = next;
-                next = around.nearest(last, point);
-            }
+        if (next == image) next = around.nearest(around.mostMaterial(image), point);
+        if (body.isImage(next)) continue;
+        // Links, if the point lies inside of the body: within half a diagonal of the lattice.
+        const auto follow = [&](double factor) {
+            const double reach = std::sqrt(1.01 * Dim) * half;
+            if (around.offset(next, point).norm() > reach) return false;
+            link(around, body.kernel, image, factor, next, point, body.spacing, links);
+            return true;
+        };
+        const double distance = shape.signedDistance(point);
+        if (distance > -(1 - 1e-6) * half) {
+            point += (ahead - distance) * shape.normal(point);
+            next = approached(next, point);
+            if (follow(distance / ahead) || distance > 0) continue;
+            point = start[image];  // cut where the body ends
         }
-        // Half a diagonal of the lattice: the point lies inside of the body.
-        if (around.offset(next, point).norm() > 0.5 * std::sqrt(1.01 * Dim) * body.spacing)
-            continue;
-        link(around, body.kernel, image, next, point, body.spacing, links);
+        // In a corner the image of one face lies behind another.
+        for (int face = 0; face < Dim && shape.contains(point); ++face) {
+            point = mirrored<Dim>(shape, start[next], point);
+            next = approached(next, point);
+        }
+        follow(-1);
     }
     return links;
 }
 
-template std::vector<ImageLink> mirrorImages(const Part<2>&, const ReferenceRelation<2>&,
-                                             const Domain<2>&);
-template std::vector<ImageLink> mirrorImages(const Part<3>&, const ReferenceRelation<3>&,
-                                             const Domain<3>&);
+template std::vector<ImageLink> mirrorImages(const Part<2>&, const std::vector<Index>&,
+                                             const ReferenceRelation<2>&, const Domain<2>&);
+template std::vector<ImageLink> mirrorImages(const Part<3>&, const std::vector<Index>&,
+                                             const ReferenceRelation<3>&, const Domain<3>&);
 
 }  // namespace sphinx::constraint

@@ -123,7 +123,8 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
             const Mat<Dim> rate = rate_[i];
             const Mat<Dim> F = gradient_[i] + half * rate;
             gradient_[i] = F;
-            if (body_->isImage(i)) {
+            const double share = body_->share(i);
+            if (share == 0) {
                 stress_[i].setZero();
                 continue;
             }
@@ -146,7 +147,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
             const Mat<Dim> P = F * S;
             Mat<Dim> T = P * correction_[i].transpose();
             T -= control * F;
-            stress_[i] = T;
+            stress_[i] = share * T;
             density_[i] = rho0 / J;
         }
     });

@@ -33,8 +33,9 @@ class Deformation {
     /// velocities. PhysicsError where a particle has too few neighbors.
     void initialize();
     /// F += dt/2 dF/dt; then the stress P = F S of the law and of the damping (16), kept as
-    /// T = P B^T, and the density rho0 / det F, (4). PhysicsError where det F is not above 0 or the
-    /// law has no stress. `damping`: whether that of the material acts.
+    /// T = P B^T times the particle's share (Body::shares), and the density rho0 / det F, (4).
+    /// PhysicsError where det F is not above 0 or the law has no stress. `damping`: whether that of
+    /// the material acts.
     void firstHalf(const Clock& clock, bool damping = true);
     /// dF/dt = (-sum_j v_ij (x) g_ij) B_i, then F += dt/2 dF/dt.
     void secondHalf(double dt);

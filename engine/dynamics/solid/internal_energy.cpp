@@ -14,6 +14,7 @@ namespace {
 template <int Dim>
 double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& domain,
                     std::size_t i, const Mat<Dim>& F) {
+    const double share = relation.from->share(i);
     ParticleSet<Dim>& from = relation.from->particles;
     ParticleSet<Dim>& to = relation.to->particles;
     const auto& from_start = from.vector(fields::initial_position);
@@ -24,8 +25,9 @@ double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& d
         for (int k = 0; k < lane_count; ++k, ++place) {
             if (relation.weight[place] == 0) continue;
             const Index j = block.index[k];
-            // The list has half of a bond with an image, which bears no energy of its own.
-            const double weight = (relation.to->isImage(j) ? 2 : 1) * relation.weight[place];
+            // The list has the mean share of both.
+            const double weight =
+                2 * share / (share + relation.to->share(j)) * relation.weight[place];
             const Vec<Dim> R = domain.difference(from_start[i], to_start[j]);
             const Vec<Dim> r = domain.difference(from.position()[i], to.position()[j]);
             sum += weight * (r - F * R).squaredNorm();
@@ -44,8 +46,8 @@ double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
         withLaw(dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
             const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
             return parallelSum(body.size(), [&](std::size_t i) {
-                if (body.isImage(i)) return 0.0;
-                return volume[i] *
+                if (body.share(i) == 0) return 0.0;
+                return body.share(i) * volume[i] *
                        law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
             });
         });
@@ -58,7 +60,7 @@ double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
     }
     const Domain<Dim>& domain = relations.domain();
     const double control = parallelSum(body.size(), [&](std::size_t i) {
-        if (body.isImage(i)) return 0.0;
+        if (body.share(i) == 0) return 0.0;
         double sum = 0;
         for (const auto* side : sides) sum += unseenMotion(*side, domain, i, gradient[i]);
         return 0.5 * body.hourglass_modulus * volume[i] * sum;

@@ -16,18 +16,18 @@ using namespace sphinx::test;
 
 namespace {
 
-constexpr double depth = 3 * spacing;  // of the clamped part
-
-/// A body of which the particles with R_0 < depth are clamped.
+/// A body that is clamped where R_0 < depth: `shift` spacings beyond the middle between two rows.
 template <int Dim>
 struct Clamped {
+    const double depth;
     ElasticScene<Dim> scene;
     Body<Dim>& body;
     constraint::Clamp<Dim> clamp;
     Stepper<Dim> stepper;
 
-    explicit Clamped(double jitter, double damping = 0)
-        : body(scene.add("block", scene.lattice(blockSize(), jitter), damping)),
+    explicit Clamped(double jitter, double damping = 0, double shift = 0)
+        : depth((3 + shift) * spacing),
+          body(scene.add("block", scene.lattice(blockSize(), jitter), damping)),
           clamp(scene.context, base(body)),
           stepper(scene.context, body) {}
 
@@ -38,7 +38,7 @@ struct Clamped {
         return n;
     }
     Part<Dim> base(Body<Dim>& whole) {
-        scene.addPart(whole, "base", [](const Vec<Dim>& R) { return R[0] < depth; });
+        scene.addPart(whole, "base", [&](const Vec<Dim>& R) { return R[0] < depth; });
         Vec<Dim> upper = Vec<Dim>::Constant(10);
         upper[0] = depth;
         whole.parts.back().shape = geometry::makeBox<Dim>(Vec<Dim>::Constant(-10), upper);
@@ -70,16 +70,16 @@ struct Clamped {
 
 TEMPLATE_TEST_CASE_SIG("a clamped body deforms evenly up to the surface of its clamp", "",
                        ((int Dim), Dim), 2, 3) {
-    Clamped<Dim> block(0.2);
+    Clamped<Dim> block(0.2, 0, GENERATE(0, 0.2, 0.4));
     const Vec<Dim> stretch = block.scene.random.template vector<Dim>(1);
     block.setVelocity([&](std::size_t i) -> Vec<Dim> {
-        return (block.vectors(fields::initial_position)[i][0] - depth) * stretch;
+        return (block.vectors(fields::initial_position)[i][0] - block.depth) * stretch;
     });
     block.stepper.start();
     Mat<Dim> rate = Mat<Dim>::Zero();
     rate.col(0) = stretch;
     for (std::size_t i = 0; i < block.body.size(); ++i) {
-        if (block.body.isImage(i)) continue;
+        if (block.body.share(i) == 0) continue;
         const Mat<Dim>& found = block.body.particles.matrix(fields::deformation_rate)[i];
         CHECK((found - rate).cwiseAbs().maxCoeff() < 1e-11);
     }
@@ -87,7 +87,7 @@ TEMPLATE_TEST_CASE_SIG("a clamped body deforms evenly up to the surface of its c
 
 TEMPLATE_TEST_CASE_SIG("forces in a clamped body are those of its energy", "", ((int Dim), Dim), 2,
                        3) {
-    Clamped<Dim> block(0.1);
+    Clamped<Dim> block(0.1, 0, GENERATE(0, 0.2, 0.4));
     Body<Dim>& body = block.body;
     std::vector<Vec<Dim>> u(body.size()), du(body.size());
     for (Vec<Dim>& v : u) v = block.scene.random.template vector<Dim>(0.05 * spacing);
@@ -128,6 +128,7 @@ TEST_CASE("the reaction of a clamped body is its weight when it has come to rest
 TEST_CASE("images stand behind the surface of the clamp, in its corners behind both") {
     ElasticScene<2> scene;
     Body<2>& body = scene.add("block", scene.lattice({8, 8}));
+    const double depth = 3 * spacing;
     const geometry::ShapePointer<2> rest =
         geometry::makeBox<2>(Vec<2>::Constant(depth), Vec<2>::Constant(6 * spacing));
     scene.addPart(body, "frame", [&](const Vec<2>& R) { return !rest->contains(R); });
@@ -137,7 +138,8 @@ TEST_CASE("images stand behind the surface of the clamp, in its corners behind b
     constraint::Clamp<2> clamp(scene.context, frame);
     auto& relation = scene.relations.reference(body, body);
     scene.relations.build(relation);
-    const auto links = constraint::mirrorImages(frame, relation, scene.world.domain);
+    const auto links =
+        constraint::mirrorImages(frame, frame.images(), relation, scene.world.domain);
     std::map<std::pair<int, int>, std::pair<int, int>> found;
     for (const auto& link : links) {
         CHECK(link.weight == -1);
