@@ -6,6 +6,7 @@
 #include "dynamics/constraint/clamp.h"
 #include "dynamics/constraint/prescribed_motion.h"
 #include "dynamics/force/surface_pressure.h"
+#include "input/vector_at_time.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -15,22 +16,14 @@ namespace sphinx::model {
 namespace {
 
 template <int Dim>
-Vec<Dim> valueAt(const std::vector<FieldExpression>& expressions, const Vec<Dim>& place,
-                 double time) {
-    Vec<Dim> value;
-    for (int c = 0; c < Dim; ++c)
-        value[c] = expressions[static_cast<std::size_t>(c)].template operator()<Dim>(place, time);
-    return value;
-}
-
-template <int Dim>
 void checkMotion(const Component& method, const World<Dim>& world, double start_time,
                  input::Diagnostics& diagnostics) {
     const auto& p = method.as<constraint::PrescribedMotionParameters>();
     const sphinx::Part<Dim> part(world, p.part);
+    const input::VectorAtTime<Dim> displacement(p.displacement, start_time);
     for (std::size_t n = 0; n < part.size(); ++n) {
         const Vec<Dim>& x = part.body().particles.position()[part[n]];
-        Vec<Dim> u = valueAt<Dim>(p.displacement, x, start_time);
+        Vec<Dim> u = displacement(x);
         for (int c = 0; c < Dim && !p.directions.empty(); ++c)
             if (std::find(p.directions.begin(), p.directions.end(), c) == p.directions.end())
                 u[c] = 0;
@@ -56,9 +49,10 @@ void checkSurface(const Component& method, const World<Dim>& world,
                                                         part.body().name));
         return;
     }
+    const input::VectorAtTime<Dim> normal(p.normal, 0);
     for (std::size_t n = 0; n < part.size(); ++n) {
         const Vec<Dim>& x = part.body().particles.position()[part[n]];
-        const double length = valueAt<Dim>(p.normal, x, 0).norm();
+        const double length = normal(x).norm();
         if (length > 0 && std::isfinite(length)) continue;
         diagnostics.error(method.placeOf("normal"),
                           fmt::format("the normal has no direction at {}: its length is {:g}",

@@ -5,6 +5,7 @@
 #include "case/fibres.h"
 #include "case/parts.h"
 #include "core/parallel.h"
+#include "input/vector_at_time.h"
 #include "materials/elastic_solid.h"
 #include "materials/fluid.h"
 
@@ -22,12 +23,8 @@ void setInitialValues(const Body& source, const std::vector<double>& volumes, do
     const std::size_t n = body.size();
 
     if (source.initial.velocity) {
-        const auto& v = *source.initial.velocity;
-        parallelFor(n, [&](std::size_t i) {
-            for (int c = 0; c < Dim; ++c)
-                velocity[i][c] =
-                    v[static_cast<std::size_t>(c)].template operator()<Dim>(position[i], time);
-        });
+        const input::VectorAtTime<Dim> initial(*source.initial.velocity, time);
+        parallelFor(n, [&](std::size_t i) { velocity[i] = initial(position[i]); });
     }
     const double rho0 = body.material->density();
     for (std::size_t i = 0; i < n; ++i) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "materials/holzapfel_muscle.h"
 
+#include "input/vector_at_time.h"
 #include "materials/stiffness.h"
 
 #include <fmt/format.h>
@@ -19,14 +20,6 @@ Stiffness stiffnessAtRest(const HolzapfelMuscleParameters& p) {
     tensor(1, 1) += 4 * p.a_s;
     tensor(5, 5) += p.a_fs;
     return tensor;
-}
-
-template <int Dim>
-Vec<Dim> evaluate(const std::vector<input::FieldExpression>& fields, const Vec<Dim>& place) {
-    Vec<Dim> v;
-    for (int k = 0; k < Dim; ++k)
-        v[k] = fields[static_cast<std::size_t>(k)].template operator()<Dim>(place, 0);
-    return v;
 }
 
 template <int Dim>
@@ -53,7 +46,7 @@ template <int Dim>
 auto HolzapfelMuscleParameters::directions(const Vec<Dim>& place, Fibres<Dim>& fibres) const
     -> std::optional<Violation> {
     const std::string where = constant(fibre) && constant(sheet) ? "" : " at " + text<Dim>(place);
-    const Vec<Dim> along = evaluate<Dim>(fibre, place);
+    const Vec<Dim> along = input::VectorAtTime<Dim>(fibre, 0)(place);
     if (!(along.norm() > 0) || !along.allFinite())
         return Violation{"fibre", "the fibre " + text<Dim>(along) + " has no direction" + where};
     fibres.fibre = along.normalized();
@@ -61,7 +54,7 @@ auto HolzapfelMuscleParameters::directions(const Vec<Dim>& place, Fibres<Dim>& f
         if constexpr (Dim == 2) fibres.sheet << -fibres.fibre[1], fibres.fibre[0];
         return {};
     }
-    const Vec<Dim> across = evaluate<Dim>(sheet, place);
+    const Vec<Dim> across = input::VectorAtTime<Dim>(sheet, 0)(place);
     if (!(across.norm() > 0) || !across.allFinite())
         return Violation{"sheet", "the sheet " + text<Dim>(across) + " has no direction" + where};
     fibres.sheet = across.normalized();

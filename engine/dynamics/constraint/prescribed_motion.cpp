@@ -16,11 +16,10 @@ PrescribedMotion<Dim>::PrescribedMotion(Part<Dim> part,
     : part_(part),
       position_(part.body().particles.position()),
       velocity_(part.body().particles.vector(fields::velocity)),
-      displacement_(std::move(displacement)),
-      initial_position_(part.body().particles.vector(fields::initial_position)) {
+      initial_position_(part.body().particles.vector(fields::initial_position)),
+      displacement_(std::move(displacement)) {
     moves_.fill(directions.empty());
     for (const int axis : directions) moves_[static_cast<std::size_t>(axis)] = true;
-    for (std::size_t c = 0; c < Dim; ++c) varies_[c] = displacement_[c].dependsOnPlace();
 }
 
 template <int Dim>
@@ -30,21 +29,22 @@ void PrescribedSolidMotion<Dim>::run(int, const Clock& clock) {
     auto& position = this->position_;
     auto& velocity = this->velocity_;
     const auto& mass = this->part_.body().particles.scalar(fields::mass);
-    const typename PrescribedMotion<Dim>::Displacement before(*this, clock.time);
-    const typename PrescribedMotion<Dim>::Displacement after(*this, clock.time + dt);
+    const auto before = this->displacement(clock.time);
+    const auto after = this->displacement(clock.time + dt);
     const Vec<Dim> momentum = parallelReduce(
         this->part_.size(), Vec<Dim>(Vec<Dim>::Zero()),
         [&](std::size_t begin, std::size_t end) {
             Vec<Dim> sum = Vec<Dim>::Zero();
             for (std::size_t n = begin; n < end; ++n) {
                 const std::size_t i = this->part_[n];
+                const Vec<Dim>& start = this->initial_position_[i];
                 for (int c = 0; c < Dim; ++c) {
                     if (!this->moves(c)) continue;
-                    const double u = after(i, c);
-                    const double v = (u - before(i, c)) / dt;
+                    const double u = after(start, c);
+                    const double v = (u - before(start, c)) / dt;
                     sum[c] += mass[i] * (v - velocity[i][c]);
                     velocity[i][c] = v;
-                    position[i][c] = this->start(i, c) + u - 0.5 * dt * v;
+                    position[i][c] = start[c] + u - 0.5 * dt * v;
                 }
             }
             return sum;
@@ -76,19 +76,20 @@ void PrescribedWallMotion<Dim>::run(int, const Clock& clock) {
     const double half = 0.5 * dt;
     auto& position = this->position_;
     auto& velocity = this->velocity_;
-    const typename PrescribedMotion<Dim>::Displacement before(*this, clock.time);
-    const typename PrescribedMotion<Dim>::Displacement middle(*this, clock.time + half);
-    const typename PrescribedMotion<Dim>::Displacement after(*this, clock.time + dt);
+    const auto before = this->displacement(clock.time);
+    const auto middle = this->displacement(clock.time + half);
+    const auto after = this->displacement(clock.time + dt);
     parallelFor(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
+        const Vec<Dim>& start = this->initial_position_[i];
         for (int c = 0; c < Dim; ++c) {
             if (!this->moves(c)) continue;
-            const double u0 = before(i, c);
-            const double u1 = middle(i, c);
-            const double u2 = after(i, c);
+            const double u0 = before(start, c);
+            const double u1 = middle(start, c);
+            const double u2 = after(start, c);
             velocity[i][c] = (u2 - u0) / dt;
             acceleration_[i][c] = ((u2 - u1) - (u1 - u0)) / (half * half);
-            position[i][c] = wrapped(this->start(i, c) + u2, c);
+            position[i][c] = wrapped(start[c] + u2, c);
         }
     });
     ++this->part_.body().version;

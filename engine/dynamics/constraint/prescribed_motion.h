@@ -5,6 +5,7 @@
 #include "dynamics/builder.h"
 #include "dynamics/constraint/support.h"
 #include "dynamics/part.h"
+#include "input/vector_at_time.h"
 
 #include <array>
 
@@ -27,40 +28,17 @@ class PrescribedMotion : public Method {
 
  protected:
     bool moves(int axis) const { return moves_[static_cast<std::size_t>(axis)]; }
-    double start(std::size_t i, int axis) const { return initial_position_[i][axis]; }
-    /// u at one time; computed once along axes where it is the same everywhere.
-    class Displacement {
-     public:
-        Displacement(const PrescribedMotion& motion, double time) : motion_(motion), time_(time) {
-            for (int c = 0; c < Dim; ++c)
-                if (!motion.varies_[c]) common_[c] = motion.evaluate(Vec<Dim>::Zero(), c, time);
-        }
-        /// Of particle i, length.
-        double operator()(std::size_t i, int axis) const {
-            return motion_.varies_[axis]
-                       ? motion_.evaluate(motion_.initial_position_[i], axis, time_)
-                       : common_[axis];
-        }
-
-     private:
-        const PrescribedMotion& motion_;
-        double time_;
-        std::array<double, Dim> common_{};
-    };
+    /// u at one time, length.
+    input::VectorAtTime<Dim> displacement(double time) const { return {displacement_, time}; }
 
     Part<Dim> part_;
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& initial_position_;
 
  private:
-    double evaluate(const Vec<Dim>& place, int axis, double time) const {
-        return displacement_[static_cast<std::size_t>(axis)].template operator()<Dim>(place, time);
-    }
-
     std::vector<input::FieldExpression> displacement_;
     std::array<bool, Dim> moves_{};
-    std::array<bool, Dim> varies_{};  ///< from place to place
-    Field<Vec<Dim>>& initial_position_;
 };
 
 /// Of an elastic body, between the halves of its step: v = (u(t + dt) - u(t))/dt, and a position

@@ -3,8 +3,7 @@
 #include "dynamics/force/body_force.h"
 
 #include "core/parallel.h"
-
-#include <algorithm>
+#include "input/vector_at_time.h"
 
 namespace sphinx::force {
 
@@ -17,21 +16,8 @@ BodyForce<Dim>::BodyForce(Body<Dim>& body, std::vector<input::FieldExpression> a
 template <int Dim>
 void BodyForce<Dim>::run(int, const Clock& clock) {
     const auto& position = body_->particles.position();
-    const auto at = [&](const Vec<Dim>& place) {
-        Vec<Dim> a;
-        for (int c = 0; c < Dim; ++c)
-            a[c] = acceleration_[static_cast<std::size_t>(c)].template operator()<Dim>(place,
-                                                                                       clock.time);
-        return a;
-    };
-    const bool even = std::none_of(acceleration_.begin(), acceleration_.end(),
-                                   [](const auto& a) { return a.dependsOnPlace(); });
-    if (even) {  // an expression takes some hundred nanoseconds
-        const Vec<Dim> everywhere = at(Vec<Dim>::Zero());
-        parallelFor(body_->size(), [&](std::size_t i) { external_[i] += everywhere; });
-    } else {
-        parallelFor(body_->size(), [&](std::size_t i) { external_[i] += at(position[i]); });
-    }
+    const input::VectorAtTime<Dim> acceleration(acceleration_, clock.time);
+    parallelFor(body_->size(), [&](std::size_t i) { external_[i] += acceleration(position[i]); });
 }
 
 void declareBodyForce(input::Registry& registry) {

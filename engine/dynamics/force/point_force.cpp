@@ -3,6 +3,7 @@
 #include "dynamics/force/point_force.h"
 
 #include "core/parallel.h"
+#include "input/vector_at_time.h"
 
 namespace sphinx::force {
 
@@ -31,11 +32,8 @@ void PointForce<Dim>::run(int, const Clock& clock) {
         },
         [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
     const Vec<Dim> centre = moment / mass;
-    Vec<Dim> acceleration;
-    for (int c = 0; c < Dim; ++c)
-        acceleration[c] = force_[static_cast<std::size_t>(c)].template operator()<Dim>(
-                              centre, clock.time + half) /
-                          mass;
+    const Vec<Dim> acceleration =
+        input::VectorAtTime<Dim>(force_, clock.time + half)(centre) / mass;
     parallelFor(part_.size(), [&](std::size_t n) { external_[part_[n]] += acceleration; });
 }
 

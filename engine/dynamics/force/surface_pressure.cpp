@@ -3,6 +3,7 @@
 #include "dynamics/force/surface_pressure.h"
 
 #include "core/parallel.h"
+#include "input/vector_at_time.h"
 
 #include <Eigen/LU>
 
@@ -29,13 +30,9 @@ void SurfacePressure<Dim>::findAreas() {
     area_.resize(part_.size());
     parallelFor(part_.size(), [&](std::size_t n) {
         const std::size_t i = part_[n];
-        Vec<Dim> normal;
-        if (given_normal_.empty())
-            normal = part_.body().shape->normal(start[i]);
-        else
-            for (int c = 0; c < Dim; ++c)
-                normal[c] = given_normal_[static_cast<std::size_t>(c)].template operator()<Dim>(
-                    start[i], 0);
+        const Vec<Dim> normal = given_normal_.empty()
+                                    ? part_.body().shape->normal(start[i])
+                                    : input::VectorAtTime<Dim>(given_normal_, 0)(start[i]);
         area_[n] = volume[i] / thickness_ * normal.normalized();
     });
 }
