@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/fluid/viscous_force.h"
 
+#include "fluid.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -12,46 +14,27 @@ using namespace sphinx::fluid;
 
 namespace {
 
-constexpr double density = 2;
 constexpr double viscosity = 0.3;
-constexpr double spacing = 0.1;
+constexpr double density = test::FluidScene<2>::density;
+constexpr double spacing = test::FluidScene<2>::spacing;
 /// Lists hold gradients and distances as 32-bit whole numbers.
 constexpr double list_error = 1e-8;
 
-/// Fluid whose particles have the given places and velocities and the volume spacing^Dim.
+/// Fluid whose particles have the given places and velocities, and the force on it.
 template <int Dim>
-struct Fluid {
+struct Fluid : test::FluidScene<Dim> {
     template <class Velocity>
-    Fluid(const std::vector<Vec<Dim>>& points, Velocity&& velocity, ViscousForm form) {
-        body = world.bodies.emplace_back(std::make_unique<Body<Dim>>()).get();
-        body->spacing = spacing;
-        body->kernel = Kernel<Dim>(KernelType::wendland_c2, 1.3 * spacing, spacing);
-        WeaklyCompressibleFluid::Parameters parameters;
-        parameters.density = density;
-        parameters.sound_speed = 10;
-        parameters.viscosity = viscosity;
-        body->material = std::make_shared<WeaklyCompressibleFluid>(parameters);
-        body->sees = {body};
-        ParticleSet<Dim>& p = body->particles;
-        p.append(points.size());
-        Context<Dim> context{world, relations};
-        ViscousForce<Dim> force(context, *body, WallSlip::no_slip, form);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            p.position()[i] = points[i];
-            p.vector(fields::velocity)[i] = velocity(points[i]);
-            p.scalar(fields::volume)[i] = std::pow(spacing, Dim);
-            p.scalar(fields::mass)[i] = density * std::pow(spacing, Dim);
-        }
-        relations.update({body});
+    Fluid(const std::vector<Vec<Dim>>& points, Velocity&& velocity, ViscousForm form)
+        : test::FluidScene<Dim>(points, viscosity) {
+        ViscousForce<Dim> force(this->context, *this->water, WallSlip::no_slip, form);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            this->water->particles.vector(fields::velocity)[i] = velocity(points[i]);
+        this->relations.update({this->water});
         force.run(0, {});
     }
     const Vec<Dim>& acceleration(std::size_t i) {
-        return body->particles.vector(fields::external_acceleration)[i];
+        return this->water->particles.vector(fields::external_acceleration)[i];
     }
-
-    World<Dim> world;
-    Relations<Dim> relations{world};
-    Body<Dim>* body;
 };
 
 /// A cube of (2n + 1)^Dim lattice points around the origin, which is the middle one of them; in
