@@ -126,7 +126,8 @@ int run(int argc, char** argv) {
     show_verb->callback([&] { show(line, registry); });
 
     auto* list_verb = app.add_subcommand("list", "print the names that a case can use");
-    list_verb->add_option("kind", line.name, "block, shape, kernel, material, dynamics or output");
+    list_verb->add_option("kind", line.name,
+                          "block, shape, kernel, material, dynamics, output or field");
     list_verb->callback([&] { print(input::listText(registry, line.name)); });
 
     auto* describe_verb = app.add_subcommand("describe", "explain a name or a block of a case");

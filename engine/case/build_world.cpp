@@ -5,6 +5,7 @@
 #include "case/check_elastic.h"
 #include "case/check_loads.h"
 #include "case/check_particles.h"
+#include "case/check_viscosity.h"
 #include "case/check_walls.h"
 #include "case/fibres.h"
 #include "case/initial_values.h"
@@ -126,6 +127,7 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
         checkParticles(model, *world, diagnostics);
         checkElastic(model, *world, diagnostics);
         checkWalls(model, *world, diagnostics);
+        checkViscosity(model, diagnostics);
         checkLoads(model, *world, diagnostics);
     }
     return world;

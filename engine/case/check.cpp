@@ -7,6 +7,7 @@
 #include "case/build_world.h"
 #include "case/loop_facts.h"
 #include "case/simulation.h"
+#include "materials/elastic_solid.h"
 #include "neighbors/neighbor_list.h"
 
 #include <fmt/format.h>
@@ -33,17 +34,22 @@ double expectedNeighbors(const sphinx::Body<Dim>& from, const sphinx::Body<Dim>&
     return Dim == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r;
 }
 
-/// Particles, lists and the packed state of the acoustic step.
+/// Particles, lists and the packed state of the acoustic step. Of other bodies than itself a body
+/// sees only what is near their common surface, which is left out.
 template <int Dim>
 double memory(const World<Dim>& world) {
     double sum = 0;
     for (const auto& body : world.bodies) {
         const auto n = static_cast<double>(body->size());
         sum += static_cast<double>(body->particles.bytes()) + 64 * n;
+        const bool elastic = dynamic_cast<const ElasticSolid*>(body->material.get()) != nullptr;
+        const std::size_t block = elastic ? sizeof(typename NeighborList<Dim, double>::Block) +
+                                                lane_count * sizeof(double)
+                                          : sizeof(typename NeighborList<Dim>::Block);
         for (const auto* other : body->sees)
             if (other == body.get())
                 sum += n * expectedNeighbors(*body, *other) * 1.25 / lane_count *
-                       sizeof(typename NeighborList<Dim>::Block);
+                       static_cast<double>(block);
     }
     return sum;
 }

@@ -6,6 +6,7 @@
 #include "core/log.h"
 #include "core/parallel.h"
 #include "core/place_text.h"
+#include "materials/elastic_solid.h"
 #include "materials/fluid.h"
 
 #include <fmt/format.h>
@@ -39,6 +40,38 @@ struct Extremes {
     bool finite = true;
 };
 
+template <int Dim>
+bool moves(const sphinx::Body<Dim>& body) {
+    return dynamic_cast<const WeaklyCompressibleFluid*>(body.material.get()) ||
+           dynamic_cast<const ElasticSolid*>(body.material.get());
+}
+
+template <int Dim>
+Extremes extremes(sphinx::Body<Dim>& body) {
+    const auto& velocity = body.particles.vector(fields::velocity);
+    const auto& density = body.particles.scalar(fields::density);
+    const double rho0 = body.material->density();
+    return parallelReduce(
+        body.size(), Extremes{},
+        [&](std::size_t begin, std::size_t end) {
+            double speed2 = 0;
+            double deviation = 0;
+            double sum = 0;  // not finite as soon as one term is not
+            for (std::size_t i = begin; i < end; ++i) {
+                const double s = velocity[i].squaredNorm();
+                const double d = std::abs(density[i] - rho0);
+                sum += s + d;
+                speed2 = s > speed2 ? s : speed2;
+                deviation = d > deviation ? d : deviation;
+            }
+            return Extremes{speed2, deviation, std::isfinite(sum)};
+        },
+        [](const Extremes& a, const Extremes& b) {
+            return Extremes{std::max(a.speed2, b.speed2), std::max(a.density, b.density),
+                            a.finite && b.finite};
+        });
+}
+
 }  // namespace
 
 template <int Dim>
@@ -50,7 +83,7 @@ Health<Dim>::Health(const World<Dim>& world, const loop::LoopFacts& facts) : wor
 template <int Dim>
 void Health<Dim>::remember() {
     for (const auto& body : world_.bodies) {
-        if (body->kind != BodyKind::fluid) continue;
+        if (!moves(*body)) continue;
         const auto& id = body->particles.id();
         const auto& position = body->particles.position();
         Last& last = last_[body->name];
@@ -71,39 +104,20 @@ std::string Health<Dim>::lastPlace(const sphinx::Body<Dim>& body, std::int64_t i
 template <int Dim>
 void Health<Dim>::check(const Clock& clock) {
     for (const auto& body : world_.bodies) {
-        if (body->kind != BodyKind::fluid) continue;
-        const auto& velocity = body->particles.vector(fields::velocity);
-        const auto& density = body->particles.scalar(fields::density);
-        const auto& fluid = dynamic_cast<const WeaklyCompressibleFluid&>(*body->material);
-        const double rho0 = fluid.density();
-        const Extremes e = parallelReduce(
-            body->size(), Extremes{},
-            [&](std::size_t begin, std::size_t end) {
-                double speed2 = 0;
-                double deviation = 0;
-                double sum = 0;  // not finite as soon as one term is not
-                for (std::size_t i = begin; i < end; ++i) {
-                    const double s = velocity[i].squaredNorm();
-                    const double d = std::abs(density[i] - rho0);
-                    sum += s + d;
-                    speed2 = s > speed2 ? s : speed2;
-                    deviation = d > deviation ? d : deviation;
-                }
-                return Extremes{speed2, deviation, std::isfinite(sum)};
-            },
-            [](const Extremes& a, const Extremes& b) {
-                return Extremes{std::max(a.speed2, b.speed2), std::max(a.density, b.density),
-                                a.finite && b.finite};
-            });
+        if (!moves(*body)) continue;
+        const Extremes e = extremes(*body);
         if (!e.finite) fail(*body, clock);
+        const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(body->material.get());
+        if (!fluid) continue;
         const double speed = std::sqrt(e.speed2);
-        if (speed > speed_limit * fluid.soundSpeed() && !warned_speed_[body->name]) {
+        if (speed > speed_limit * fluid->soundSpeed() && !warned_speed_[body->name]) {
             warned_speed_[body->name] = true;
             log::warning(fmt::format(
                 "time {:g}: {} moves at {:.3g}, more than a tenth of its sound speed {:.3g}; "
                 "raise sound_speed",
-                clock.time, body->name, speed, fluid.soundSpeed()));
+                clock.time, body->name, speed, fluid->soundSpeed()));
         }
+        const double rho0 = fluid->density();
         if (e.density > density_limit * rho0 && !warned_density_[body->name]) {
             warned_density_[body->name] = true;
             log::warning(
@@ -130,10 +144,11 @@ void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const 
                 const std::int64_t id = particles.id()[i];
                 const auto writer = last_writer_.find({body.name, std::string(info->name)});
                 throw PhysicsError(fmt::format(
-                    "{} of particle {} of {}{} is {} after {} at time {:g}; a smaller cfl or a "
-                    "higher sound_speed may help",
+                    "{} of particle {} of {}{} is {} after {} at time {:g}; a smaller cfl{} may "
+                    "help",
                     info->name, id, body.name, lastPlace(body, id), value,
-                    writer == last_writer_.end() ? "the step" : writer->second, clock.time));
+                    writer == last_writer_.end() ? "the step" : writer->second, clock.time,
+                    body.kind == BodyKind::fluid ? " or a higher sound_speed" : ""));
             }
     }
     throw PhysicsError(

@@ -81,9 +81,9 @@ void declareDomain(Registry& registry) {
     d.optional("periodic", &P::periodic, axes(), "axes along which the domain repeats");
     d.optional(
         "lost_particles", &P::lost,
-        choice<LostParticles>(
-            {{"stop", LostParticles::stop, "the run ends with exit code 3"},
-             {"remove", LostParticles::remove, "go on without it, counted in the mass balance"}}),
+        choice<LostParticles>({{"stop", LostParticles::stop, "the run ends with exit code 3"},
+                               {"remove", LostParticles::remove,
+                                "go on without it, counted in the mass balance; only of fluids"}}),
         "what happens when a particle leaves the domain");
     d.check("upper", [](const P& p) -> std::string {
         if (!p.lower || !p.upper) return "";

@@ -6,6 +6,7 @@
 #include "dynamics/register.h"
 #include "io/register.h"
 #include "materials/register.h"
+#include "particles/register.h"
 
 namespace sphinx {
 
@@ -14,6 +15,7 @@ void registerAll(input::Registry& registry) {
     registerMaterials(registry);
     registerDynamics(registry);
     io::registerOutputs(registry);
+    registerFields(registry);
 }
 
 }  // namespace sphinx

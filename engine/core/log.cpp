@@ -18,7 +18,6 @@ struct State {
     std::mutex mutex;
     std::FILE* file = nullptr;
     std::string status;
-    bool terminal = true;
     std::set<std::string, std::less<>> warned;
 };
 
@@ -73,7 +72,7 @@ void closeFile() {
 void info(std::string_view line) {
     State& s = state();
     std::lock_guard lock(s.mutex);
-    if (s.terminal) print(s, stdout, "", line);
+    print(s, stdout, "", line);
     write(s.file, "", line);
 }
 
@@ -104,12 +103,6 @@ void status(std::string_view line) {
     clearStatus(s);
     s.status = line;
     drawStatus(s);
-}
-
-void setTerminal(bool on) {
-    State& s = state();
-    std::lock_guard lock(s.mutex);
-    s.terminal = on;
 }
 
 }  // namespace sphinx::log

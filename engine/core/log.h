@@ -23,8 +23,5 @@ void fileOnly(std::string_view line);
 /// the caller asks isatty). An empty one removes it.
 void status(std::string_view line);
 
-/// Off: nothing goes to stdout (warnings and errors still reach stderr).
-void setTerminal(bool on);
-
 }  // namespace log
 }  // namespace sphinx

@@ -14,6 +14,7 @@ const char* kindName(Kind kind) {
         case Kind::material: return "material";
         case Kind::dynamics: return "dynamics";
         case Kind::output: return "output";
+        case Kind::field: return "field";
     }
     return "";
 }

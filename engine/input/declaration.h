@@ -13,10 +13,10 @@
 namespace sphinx::input {
 
 /// What kind of thing a declaration is about. Blocks are the fixed parts of the language.
-enum class Kind { block, shape, kernel, material, dynamics, output };
+enum class Kind { block, shape, kernel, material, dynamics, output, field };
 const char* kindName(Kind kind);
-inline constexpr std::array all_kinds{Kind::block,    Kind::shape,    Kind::kernel,
-                                      Kind::material, Kind::dynamics, Kind::output};
+inline constexpr std::array all_kinds{Kind::block,    Kind::shape,  Kind::kernel, Kind::material,
+                                      Kind::dynamics, Kind::output, Kind::field};
 
 /// How an action uses a field; accumulate adds to a value that the layer zeroes first.
 enum class AccessMode { read, write, accumulate };
@@ -91,7 +91,6 @@ class Declaration {
         assert(attached && "no builder of this type is attached to the declaration");
         return *attached;
     }
-    bool hasBuilder() const { return builder_.has_value(); }
 
     const std::type_info& parametersType() const { return *type_; }
     std::shared_ptr<void> makeParameters() const { return make_(); }

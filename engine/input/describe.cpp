@@ -100,6 +100,20 @@ std::string describeOne(const Declaration& d) {
     return out;
 }
 
+/// A key of the case that no declaration has the name of; empty if it has none, either.
+std::string describeKey(const Registry& registry, const std::string& name,
+                        std::vector<std::string>& known) {
+    const Declaration* top = registry.find(Kind::block, "case");
+    if (!top) return "";
+    for (const Parameter& p : top->parameters()) {
+        if (p.name == name)
+            return fmt::format("{} (key of a case)\n  {}\n  {}\n", name, p.doc,
+                               wrapped(defaultText(*top, p) + "; " + p.type->text(), 2));
+        known.push_back(p.name);
+    }
+    return "";
+}
+
 std::string escaped(std::string text) {
     for (std::size_t k = 0; (k = text.find_first_of("|*<", k)) != std::string::npos; k += 2)
         text.insert(k, "\\");
@@ -138,6 +152,7 @@ const char* kindTitle(Kind kind) {
         case Kind::material: return "Materials";
         case Kind::dynamics: return "Dynamics";
         case Kind::output: return "Outputs";
+        case Kind::field: return "Fields";
     }
     return "";
 }
@@ -170,6 +185,7 @@ std::string describeText(const Registry& registry, const std::string& name) {
             out += (out.empty() ? "" : "\n") + describeOne(*found);
         for (std::string& other : registry.names(kind)) known.push_back(std::move(other));
     }
+    if (out.empty()) out = describeKey(registry, name, known);
     if (out.empty())
         throw CaseError("error: there is nothing called '" + name + "'" + didYouMean(name, known));
     return out;

@@ -26,13 +26,14 @@ Node schemaType(const std::string& type) {
 }
 
 Node SchemaBuilder::define(const std::string& name, const std::function<Node()>& make) {
-    if (!definitions_.find(name)) {
-        definitions_.set(name, Node::map());  // a definition may refer to itself
+    const std::string key = (partial ? "partial_" : "") + name;
+    if (!definitions_.find(key)) {
+        definitions_.set(key, Node::map());  // a definition may refer to itself
         Node made = make();
-        definitions_.set(name, std::move(made));
+        definitions_.set(key, std::move(made));
     }
     Node reference = Node::map();
-    reference.set("$ref", Node::string("#/definitions/" + name));
+    reference.set("$ref", Node::string("#/definitions/" + key));
     return reference;
 }
 
@@ -57,7 +58,7 @@ Node SchemaBuilder::object(const Declaration& declaration) {
     Node required = Node::list();
     addProperties(declaration, properties, required);
     schema.set("properties", std::move(properties));
-    if (!required.items.empty()) schema.set("required", std::move(required));
+    if (!required.items.empty() && !partial) schema.set("required", std::move(required));
     schema.set("additionalProperties", Node::plain("false"));
     return schema;
 }
@@ -79,7 +80,7 @@ Node SchemaBuilder::component(Kind kind, const Declaration* common) {
         if (common) addProperties(*common, properties, required);
         addProperties(declaration, properties, required);
         then.set("properties", std::move(properties));
-        then.set("required", std::move(required));
+        if (!partial) then.set("required", std::move(required));
         then.set("additionalProperties", Node::plain("false"));
 
         Node constant = Node::map();
@@ -99,7 +100,7 @@ Node SchemaBuilder::component(Kind kind, const Declaration* common) {
     Node properties = Node::map();
     properties.set("type", std::move(choice));
     schema.set("properties", std::move(properties));
-    schema.set("required", Node::list({Node::string("type")}));
+    if (!partial) schema.set("required", Node::list({Node::string("type")}));
     if (!variants.items.empty()) schema.set("allOf", std::move(variants));
     return schema;
 }
@@ -109,8 +110,14 @@ std::string jsonSchema(const Registry& registry, const Declaration& top) {
     Node schema = Node::map();
     schema.set("$schema", Node::string("http://json-schema.org/draft-07/schema#"));
     schema.set("title", Node::string("sphinx case"));
-    const Node object = builder.object(top);
-    for (const Node::Entry& entry : object.entries) schema.set(entry.key, entry.value);
+    Node includes = Node::map();
+    includes.set("required", Node::list({Node::string("include")}));
+    const auto whole = [&] { return builder.define("case", [&] { return builder.object(top); }); };
+    schema.set("if", std::move(includes));
+    builder.partial = true;
+    schema.set("then", whole());
+    builder.partial = false;
+    schema.set("else", whole());
     schema.set("definitions", builder.definitions());
     return toJson(schema);
 }

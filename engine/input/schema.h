@@ -15,7 +15,10 @@ class SchemaBuilder {
 
     const Registry& registry;
 
-    /// A reference to a definition, which is made once.
+    /// True: for files that include others and add to their maps, so that keys may be missing.
+    bool partial = false;
+
+    /// A reference to a definition, which is made once (and once more where keys may be missing).
     Node define(const std::string& name, const std::function<Node()>& make);
     /// Schema of a map with the keys of the declaration, or of its bare value.
     Node object(const Declaration& declaration);

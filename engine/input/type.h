@@ -131,7 +131,6 @@ Type<Name> bodyReference(std::vector<std::string> traits = {});
 Type<Name> partReference(std::vector<std::string> traits = {});
 Type<Name> materialReference(std::vector<std::string> traits = {});
 Type<Name> shapeReference();
-Type<Name> methodReference();
 Type<Name> actionReference();  ///< METHOD or METHOD.ACTION
 Type<Name> layerReference();
 Type<Name> fieldReference();  ///< a name of particles/fields.h

@@ -96,7 +96,6 @@ Type<Name> materialReference(std::vector<std::string> traits) {
     return reference(Target::material, std::move(traits));
 }
 Type<Name> shapeReference() { return reference(Target::shape); }
-Type<Name> methodReference() { return reference(Target::method); }
 Type<Name> actionReference() { return reference(Target::action); }
 Type<Name> layerReference() { return reference(Target::layer); }
 Type<Name> fieldReference() { return reference(Target::field); }

@@ -110,14 +110,16 @@ std::unique_ptr<SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced) {
 template <int Dim>
 std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>& reduced) {
     const Body<Dim>* body = reduced.body;
-    const auto* m = &require<double>(reduced, fields::mass);
+    const Motion<Dim> motion(reduced);
     return std::make_unique<ReduceSource>(
-        std::vector<SeriesQuantity>{
-            {"mass", unitText(unit::mass, reduced.units), "of the body", {}},
-            {"particles", "", "number of particles", {}},
-            {"removed", "", "particles that have left the body", {}}},
-        [body, m](std::span<double> row) {
-            row[0] = parallelSum(body->size(), [&](std::size_t i) { return (*m)[i]; });
+        std::vector<SeriesQuantity>{{"mass",
+                                     unitText(unit::mass, reduced.units),
+                                     "of the body, without what a clamp holds",
+                                     {}},
+                                    {"particles", "", "number of particles", {}},
+                                    {"removed", "", "particles that have left the body", {}}},
+        [body, motion](std::span<double> row) {
+            row[0] = parallelSum(body->size(), [&](std::size_t i) { return motion.mass(i); });
             row[1] = static_cast<double>(body->size());
             row[2] = static_cast<double>(body->particles.nextId()) - row[1];
         });

@@ -29,7 +29,6 @@ class WeaklyCompressibleFluid final : public Material {
     double soundSpeed() const { return p_.sound_speed; }
     double viscosity() const { return p_.viscosity; }
     EquationOfState equationOfState() const { return p_.equation_of_state; }
-    double gamma() const { return p_.gamma; }
 
     double pressure(double rho) const {
         const double c2 = p_.sound_speed * p_.sound_speed;

@@ -113,7 +113,8 @@ template <int Dim>
 std::size_t Relations<Dim>::bytes() const {
     std::size_t sum = 0;
     for (const auto& r : references_)
-        sum += r->list.bytes() + r->gradient_sum.capacity() * sizeof(Vec<Dim>);
+        sum += r->list.bytes() + r->gradient_sum.capacity() * sizeof(Vec<Dim>) +
+               r->weight.capacity() * sizeof(double);
     for (const auto& r : relations_) sum += r->list.bytes();
     for (const auto& [body, grid] : grids_) sum += grid.cells.bytes();
     return sum;

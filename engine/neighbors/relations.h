@@ -31,8 +31,7 @@ struct ReferenceRelation {
     bool built = false;
     NeighborList<Dim, double> list;        ///< the gradients are multiplied by V_j: e_ij W'_ij V_j
     AlignedVector<Vec<Dim>> gradient_sum;  ///< sum_j e_ij W'_ij V_j, 1/length
-    /// abs(W'_ij)/R_ij V_j of every place, half of it where one of the two is an image, 0 where
-    /// both are. 1/length^2
+    /// abs(W'_ij)/R_ij V_j of every place, times the mean share of both (Body::shares). 1/length^2
     AlignedVector<double> weight;
 };
 

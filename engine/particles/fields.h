@@ -48,7 +48,8 @@ inline constexpr FieldInfo deformation_rate{"deformation_rate", Rank::matrix, un
                                             "rate of change of the deformation gradient"};
 inline constexpr FieldInfo corrected_stress{
     "corrected_stress", Rank::matrix, unit::pressure,
-    "first Piola-Kirchhoff stress times the transposed correction matrix, at the half step"};
+    "first Piola-Kirchhoff stress times the transposed correction matrix, less the part of the "
+    "hourglass control, times what a clamp leaves of the particle; at the half step"};
 inline constexpr FieldInfo pressure_force{"pressure_force", Rank::vector, unit::force,
                                           "force of fluids on a solid particle by pressure"};
 inline constexpr FieldInfo viscous_force{"viscous_force", Rank::vector, unit::force,

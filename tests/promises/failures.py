@@ -88,6 +88,26 @@ class BrokenSolid(Promise):
                     r"material may help",
                     {"materials__rubber": rubber, "variables__pulled": "-0.6*length"})
 
+    def test_number_that_stops_being_one(self):
+        output = self.folder / "out"
+        load = {"type": "force.body_force", "body": "strip", "acceleration": ["sqrt(0.2 - t)", 0]}
+        case = self.case("strip_2d", dynamics__load=load, outputs__restart={
+            "type": "restart", "every": {"steps": 1}, "keep": 1})
+        said = self.sphinx(case, output, expect=3)
+        self.assertRegex(said, r"error: velocity of particle \d+ of strip, last seen at \(\S+, \S+\), "
+                               r"is -?nan after \S+ at time 0\.2\d*; a smaller cfl may help")
+        kept = last_restart(output)
+        self.assertGreaterEqual(kept.time, 0.19)
+        for field in ("position", "velocity", "acceleration", "deformation_gradient"):
+            self.assertTrue(np.isfinite(kept.values("strip", field)).all(), field)
+
+    def test_solids_are_not_removed(self):
+        """Their lists of the reference configuration would not fit any more."""
+        case = self.case("gate_2d", domain={"lower": [-1, -1], "upper": [0.62, 2],
+                                            "lost_particles": "remove"})
+        said = self.sphinx(case, self.folder / "out", expect=3)
+        self.assertRegex(said, r"error: particle \d+ of gate left the domain at \(\S+, \S+\), time \d\S*\n")
+
 
 class CannotWrite(Promise):
     """A run gets into trouble, keeps its last good restart and goes on when there is room again."""

@@ -55,7 +55,10 @@ void declareClamp(input::Registry& registry) {
     d.summary(
         "Clamps an elastic body along the surface of a part, wherever it runs through the lattice; "
         "particles within mirror the motion of the others");
-    d.formula("u = 0 on the surface: u_g = sum_k c_gk u_k, sum_k c_gk = -1; f_k += sum_g c_gk f_g");
+    d.formula(
+        "u = 0 on the surface: u_g = sum_k c_gk u_k, f_k += sum_g c_gk f_g; sum_k c_gk = -1, or "
+        "distance/(0.75 dp) where the surface cuts a cell, which is strained as far as it lies "
+        "outside");
     d.citation("mirror particles as in Libersky et al. 1993, doi:10.1006/jcph.1993.1199");
     d.required("part", &P::part, input::partReference({"elastic"}),
                "part of a body; particles that it covers by more than a quarter have no mass");

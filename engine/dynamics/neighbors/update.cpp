@@ -58,6 +58,8 @@ void Update<Dim>::keepInside(Body<Dim>& body, const Clock& clock) {
                                            body.name, place, clock.time));
         const std::string message = fmt::format(
             "particle {} of {} left the domain at {}, time {:g}", id, body.name, place, clock.time);
+        // Lists of the reference configuration and parts of a solid know its particles by place.
+        if (body.kind != BodyKind::fluid) throw PhysicsError(message);
         if (domain.lost == LostParticles::stop)
             throw PhysicsError(message + " (lost_particles: remove would go on without it)");
         log::info("removed: " + message);

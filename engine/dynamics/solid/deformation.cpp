@@ -151,12 +151,17 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
             density_[i] = rho0 / J;
         }
     });
-    if (inverted.found())
+    if (inverted.found()) {
+        const double J = gradient_[inverted.first()].determinant();
         fail(inverted.first(),
-             fmt::format("is inverted (det F = {:g}); a smaller cfl, a finer spacing or a stiffer "
-                         "material may help",
-                         gradient_[inverted.first()].determinant()),
+             std::isfinite(J)
+                 ? fmt::format("is inverted (det F = {:g}); a smaller cfl, a finer spacing or a "
+                               "stiffer material may help",
+                               J)
+                 : "has a deformation gradient that is not a number; see the forces and motions "
+                   "that act on it",
              clock);
+    }
     if (beyond.found()) {
         const Mat<Dim>& F = gradient_[beyond.first()];
         const double strain = F.squaredNorm() - Dim;

@@ -20,7 +20,8 @@ class Deformation {
     /// is the very F that minimises it, so its force is that of springs between pairs, -c k_ij (2
     /// r_ij - (F_i + F_j) R_ij), and comes from an energy that no rotation changes. c is what the
     /// bonds' own deformation gradients F_i + (r_ij - F_i R_ij) (x) R_ij/R_ij^2 would give to
-    /// second order, the shear part of the acoustic tensor alone: no parameter.
+    /// second order, the shear part of the acoustic tensor alone: no parameter. Where a clamp
+    /// covers a part of a particle, all of its energy counts by its share s_i (Body::shares).
     Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
     /// For initialize() alone.
     Deformation(Context<Dim>& context, Body<Dim>& body);
@@ -33,9 +34,9 @@ class Deformation {
     /// velocities. PhysicsError where a particle has too few neighbors.
     void initialize();
     /// F += dt/2 dF/dt; then the stress P = F S of the law and of the damping (16), kept as
-    /// T = P B^T times the particle's share (Body::shares), and the density rho0 / det F, (4).
-    /// PhysicsError where det F is not above 0 or the law has no stress. `damping`: whether that of
-    /// the material acts.
+    /// T = s (P B^T - c F), and, where s is not 0, the density rho0 / det F, (4). PhysicsError
+    /// where det F is not above 0 or the law has no stress. `damping`: whether that of the material
+    /// acts.
     void firstHalf(const Clock& clock, bool damping = true);
     /// dF/dt = (-sum_j v_ij (x) g_ij) B_i, then F += dt/2 dF/dt.
     void secondHalf(double dt);

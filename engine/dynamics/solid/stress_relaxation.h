@@ -16,6 +16,7 @@ struct StressRelaxationParameters {
 /// Elastic step of a total-Lagrangian solid, guide (5), as drift-kick-drift:
 ///   first half:  F += dt/2 dF, r += dt/2 v, P(F), then
 ///                dv_i = V_i/m_i sum_j (P_i B_i^T + P_j B_j^T) e_ij W' V_j + external,  v += dt dv
+///                (with the hourglass control and the shares of particles, see Deformation)
 ///   second half: dF_i = -sum_j v_ij (x) e_ij W' V_j B_i,  F += dt/2 dF, r += dt/2 v
 /// all sums in the reference configuration. External are the accumulated accelerations and the
 /// forces of fluids by pressure and viscosity. A constraint acts between the halves.

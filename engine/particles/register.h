@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input/registry.h"
+
+namespace sphinx {
+
+/// Makes the fields known to list, describe and the reference page, with rank and unit.
+void registerFields(input::Registry& registry);
+
+}  // namespace sphinx
