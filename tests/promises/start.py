@@ -1,29 +1,37 @@
 # SPDX-FileCopyrightText: 2026 The sphinx developers
 # SPDX-License-Identifier: Apache-2.0
-"""How long it takes until something happens."""
+"""How long it takes until something happens.
+
+Promised for a quiet machine, tests share theirs: measured is the time that the processor works for
+the program, on all threads together, which does not grow with what else runs.
+"""
 
 import math
 import re
+import resource
 import subprocess
-import time
 import unittest
 
 from support import REPOSITORY, SPHINX, Promise, command
 
 CASE = REPOSITORY / "cases/dam_break_2d/case.yaml"
-# Promised for a quiet machine; tests share theirs.
-NOISE = 3
 CHECK_SECONDS = 3  # a million particles
 FIRST_STEP_SECONDS = 1  # 100 000 particles
+
+
+def processor_seconds():
+    """Of all programs that were run and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def quickest(arguments, runs=3):
     """Seconds, and what was said."""
     best, said = math.inf, ""
     for _ in range(runs):
-        begin = time.monotonic()
+        begin = processor_seconds()
         done = subprocess.run(arguments, capture_output=True, text=True, check=True)
-        seconds = time.monotonic() - begin
+        seconds = processor_seconds() - begin
         if seconds < best:
             best, said = seconds, done.stdout
     return best, said
@@ -38,7 +46,7 @@ class Start(Promise):
         seconds, said = quickest([SPHINX, "check", str(CASE), "--set", "variables.spacing=0.00142"])
         print(f"check of {particles(said)} particles: {seconds:.2f} s")
         self.assertGreater(particles(said), 1_000_000)
-        self.assertLess(seconds, NOISE * CHECK_SECONDS)
+        self.assertLess(seconds, CHECK_SECONDS)
 
     def test_first_step_of_100_000(self):
         # The limit of time is over after the first step.
@@ -47,7 +55,7 @@ class Start(Promise):
         print(f"first step of {particles(said)} particles: {seconds:.2f} s")
         self.assertGreater(particles(said), 100_000)
         self.assertRegex(said, r"\nadvection +1 ")
-        self.assertLess(seconds, NOISE * FIRST_STEP_SECONDS)
+        self.assertLess(seconds, FIRST_STEP_SECONDS)
 
 
 if __name__ == "__main__":
