@@ -15,9 +15,12 @@ AccessMode modeOf(input::AccessMode mode) {
     switch (mode) {
         case input::AccessMode::read: return AccessMode::read;
         case input::AccessMode::write: return AccessMode::write;
-        case input::AccessMode::accumulate: break;
+        case input::AccessMode::accumulate: return AccessMode::accumulate;
+        case input::AccessMode::open: return AccessMode::open;
+        case input::AccessMode::close: return AccessMode::close;
+        case input::AccessMode::within: break;
     }
-    return AccessMode::accumulate;
+    return AccessMode::within;
 }
 
 /// Bodies that a parameter refers to; a part stands for its body.

@@ -9,14 +9,15 @@
 #include "io/restart_output.h"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <map>
 
 namespace sphinx::model {
 namespace {
 
 template <int Dim>
-std::unique_ptr<sphinx::Output> makeRestart(const OutputTools<Dim>& tools, const Output& source) {
-    const auto& settings = source.as<io::RestartSettings>();
+std::unique_ptr<sphinx::Output> makeRestart(const OutputTools<Dim>& tools,
+                                            const io::RestartSettings& settings) {
     io::RestartParameters parameters{tools.folder / "restart", settings.keep, settings.encoding,
                                      tools.restart_header};
     return std::make_unique<io::RestartOutput<Dim>>(parameters, tools.restart_bodies, tools.state);
@@ -65,7 +66,7 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
         if (!files && type != "progress") continue;
         DerivedFields<Dim> derived(source, tools.world);
         if (restart)
-            outputs_.push_back(makeRestart(tools, source));
+            outputs_.push_back(makeRestart(tools, source.as<io::RestartSettings>()));
         else
             outputs_.push_back(withDerivedFields(
                 source.declaration->builder<io::OutputFactory>().make(source, context),
@@ -74,6 +75,9 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
         entries_.push_back(
             {source.name, type, outputs_.back().get(), triggerOf(source.every), restart});
     }
+    const bool restarts = std::any_of(entries_.begin(), entries_.end(),
+                                      [](const loop::OutputEntry& entry) { return entry.restart; });
+    if (files && !restarts) last_resort_ = makeRestart(tools, io::RestartSettings{});
 }
 
 template <int Dim>

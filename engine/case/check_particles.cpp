@@ -35,6 +35,20 @@ void checkDomain(const Body& source, const sphinx::Body<Dim>& body,
                         outside, body.size(), body.name, placeText<Dim>(position[first])));
 }
 
+/// Nearer images of a particle than its reach would be its neighbors.
+template <int Dim>
+void checkPeriod(const Body& source, const sphinx::Body<Dim>& body,
+                 const sphinx::Domain<Dim>& domain, input::Diagnostics& diagnostics) {
+    for (int axis = 0; axis < Dim; ++axis) {
+        const double period = domain.bounds.upper[axis] - domain.bounds.lower[axis];
+        if (domain.periodic[axis] && period < body.kernel.cutoff())
+            diagnostics.error(source.place,
+                              fmt::format("the period in {} is {:g} but must be at least {:g}, the "
+                                          "reach of the kernel of {}",
+                                          "xyz"[axis], period, body.kernel.cutoff(), body.name));
+    }
+}
+
 /// An expression of place may have no value somewhere, and a fluid bears no pressure at which its
 /// density would not be positive.
 template <int Dim>
@@ -47,8 +61,10 @@ void checkInitialValues(const Body& source, sphinx::Body<Dim>& body,
     auto& particles = body.particles;
     const auto& velocity = particles.vector(fields::velocity);
     const auto& density = particles.scalar(fields::density);
+    const auto& volume = particles.scalar(fields::volume);
     for (std::size_t i = 0; i < body.size(); ++i) {
         const Vec<Dim>& x = particles.position()[i];
+        if (!(volume[i] > 0)) return report("volume", volume[i], x);
         if (!velocity[i].allFinite()) return report("speed", velocity[i].norm(), x);
         if (source.initial.pressure) {
             const double pressure = particles.scalar(fields::pressure)[i];
@@ -107,7 +123,9 @@ void checkParticles(const Case& model, const World<Dim>& world, input::Diagnosti
                                   fmt::format("the part '{}' of {} holds none of its particles",
                                               body.parts[k].name, body.name));
         checkDomain<Dim>(source, body, world.domain, diagnostics);
-        if (body.kind != BodyKind::observer) checkInitialValues<Dim>(source, body, diagnostics);
+        if (body.kind == BodyKind::observer) continue;
+        checkPeriod<Dim>(source, body, world.domain, diagnostics);
+        checkInitialValues<Dim>(source, body, diagnostics);
     }
     for (std::size_t m = 0; m < world.bodies.size(); ++m)
         for (std::size_t k = m + 1; k < world.bodies.size(); ++k) {

@@ -25,7 +25,7 @@ constexpr std::int64_t steps_between_places = 16;
 void collectWriters(const loop::LineFacts& line,
                     std::map<std::pair<std::string, std::string>, std::string>& writers) {
     for (const FieldAccess& access : line.accesses)
-        if (access.mode != AccessMode::read) writers[{access.body, access.field}] = line.label;
+        if (changes(access.mode)) writers[{access.body, access.field}] = line.label;
 }
 
 void collectWriters(const loop::LayerFacts& layer,

@@ -12,7 +12,7 @@ using FieldsOfBodies = std::map<std::string, std::set<std::string>>;
 
 void collectWrites(const loop::LineFacts& line, FieldsOfBodies& to) {
     for (const FieldAccess& access : line.accesses)
-        if (access.mode != AccessMode::read) to[access.body].insert(access.field);
+        if (changes(access.mode)) to[access.body].insert(access.field);
 }
 
 void collectWrites(const loop::LayerFacts& layer, FieldsOfBodies& always,

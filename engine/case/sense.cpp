@@ -28,6 +28,7 @@ class SenseCheck {
         }
         checkPeriodic();
         checkTopology();
+        for (const Component& method : block_.dynamics) checkSight(method);
         checkLayer(block_.loop);
         checkSteps(block_.loop.start, "start");
         for (const StepBlock& step : block_.loop.start) {
@@ -123,12 +124,83 @@ class SenseCheck {
                 if (self && kindOf(body.text) == BodyKind::observer)
                     diagnostics_.error(contact.body.place,
                                        "an observer has nothing to see of itself");
+                checkPair(body, contact);
                 if (!seen.insert(contact.body.text).second)
                     diagnostics_.error(
                         contact.body.place,
                         "'" + contact.body.text + "' is listed twice for " + body.text);
             }
         }
+    }
+    void checkPair(const Name& body, const ContactBlock& contact) {
+        if (contact.body.text == "self" || contact.body.text == body.text) return;
+        const BodyKind one = kindOf(body.text);
+        const BodyKind other = kindOf(contact.body.text);
+        if (one == BodyKind::fluid && other == BodyKind::fluid)
+            diagnostics_.error(contact.body.place,
+                               fmt::format("{} and {} are both fluids, which do not act on each "
+                                           "other: make them one body",
+                                           body.text, contact.body.text));
+        if (contact.bonded && (one != BodyKind::solid || other != BodyKind::solid))
+            diagnostics_.error(contact.body.place,
+                               fmt::format("only solids are bonded to each other: {} is a {}",
+                                           one != BodyKind::solid ? body.text : contact.body.text,
+                                           (one != BodyKind::solid ? one : other) == BodyKind::fluid
+                                               ? "fluid"
+                                               : "observer"));
+    }
+    /// Methods act on what topology lets a body see.
+    void checkSight(const Component& method) {
+        const std::string& type = method.declaration->name();
+        const Name body = bodyOf(method, "body");
+        if (body.text.empty()) return;
+        const bool sums = !method.declaration->isTimeStep() &&
+                          (type.starts_with("fluid.") || type.starts_with("solid.")) &&
+                          type != "solid.update_normals";
+        if (sums && !sees(body.text, "self") && !sees(body.text, body.text))
+            diagnostics_.error(body.place,
+                               fmt::format("{} sums over the particles of {} itself: its "
+                                           "topology lacks 'self'",
+                                           type, body.text));
+        const Name from = bodyOf(method, "from");
+        if (!from.text.empty() && !sees(from.text, body.text))
+            diagnostics_.error(from.place,
+                               fmt::format("{} does not see {}: the topology of {} lacks "
+                                           "'{}'",
+                                           from.text, body.text, from.text, body.text));
+        if (type != "solid.stress_relaxation") return;
+        for (const Component& other : block_.dynamics) {
+            if (&other == &method) break;
+            const Name moved = bodyOf(other, "body");
+            if (other.declaration->name() == type && bonded(body.text, moved.text))
+                diagnostics_.error(
+                    body.place,
+                    fmt::format("{} and {} are bonded and both move: make them one body, or move "
+                                "one of them and keep the stress of the other by "
+                                "solid.stress_update",
+                                moved.text, body.text));
+        }
+    }
+    static Name bodyOf(const Component& method, std::string_view parameter) {
+        std::vector<Name> names;
+        if (const Parameter* p = method.declaration->parameter(parameter))
+            p->type->names(p->in(method.parameters.get()), names);
+        return names.size() == 1 ? names.front() : Name{};
+    }
+    bool sees(const std::string& body, const std::string& other) const {
+        for (const auto& [name, contacts] : block_.topology)
+            if (name.text == body)
+                for (const ContactBlock& contact : contacts)
+                    if (contact.body.text == other) return true;
+        return false;
+    }
+    bool bonded(const std::string& one, const std::string& other) const {
+        for (const auto& [name, contacts] : block_.topology)
+            for (const ContactBlock& contact : contacts)
+                if (contact.bonded && ((name.text == one && contact.body.text == other) ||
+                                       (name.text == other && contact.body.text == one)))
+                    return true;
+        return false;
     }
     BodyKind kindOf(const std::string& name) const {
         for (const NamedBody& body : block_.bodies)

@@ -101,6 +101,7 @@ class Simulation {
         const loop::Profile profile = runner_->profile();
         for (const std::string& line : loop::profileTable(profile)) log::info(line);
         if (options_.outputs) loop::writeProfile(profile, folder_ / "profile.json");
+        if (!outcome.finished) outputs_->writeLastResort(runner_->clock());
         if (outcome.finished)
             log::info(fmt::format(
                 "done at time {:g}{}", runner_->clock().time,
@@ -108,14 +109,7 @@ class Simulation {
         else
             log::info(fmt::format(
                 "stopped at time {:g}: {}; {}", runner_->clock().time, outcome.reason,
-                writesRestarts() ? "go on with --resume" : "no output of this run was a restart"));
-    }
-
-    bool writesRestarts() const {
-        return options_.outputs &&
-               std::any_of(model_.outputs.begin(), model_.outputs.end(), [](const Output& output) {
-                   return output.declaration->name() == "restart";
-               });
+                options_.outputs ? "go on with --resume" : "without outputs there is no restart"));
     }
 
     void logStart() const {

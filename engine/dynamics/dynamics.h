@@ -36,12 +36,19 @@ class TimeStepMethod {
 };
 
 /// How an action uses a field of a body. `accumulate` adds to a value that the layer zeroes first.
-enum class AccessMode { read, write, accumulate };
+/// The last three are about a span of the loop in place of a field ("step", "mean"), which one line
+/// opens and another closes in turn; others belong within.
+enum class AccessMode { read, write, accumulate, open, close, within };
+
+/// It changes the field.
+inline bool changes(AccessMode mode) {
+    return mode == AccessMode::write || mode == AccessMode::accumulate;
+}
 
 struct FieldAccess {
     AccessMode mode = AccessMode::read;
     std::string body;
-    std::string field;  ///< a name of particles/fields.h, or one of the two below
+    std::string field;  ///< a name of particles/fields.h, of a span, or one of the two below
 };
 
 /// Pseudo fields for the check of the loop. Lists of a body go stale when its positions are

@@ -38,6 +38,21 @@ Action& Action::accumulates(const std::string& owner,
     return *this;
 }
 
+Action& Action::opens(const std::string& owner, const std::string& span) {
+    accesses_.push_back({AccessMode::open, owner, span});
+    return *this;
+}
+
+Action& Action::closes(const std::string& owner, const std::string& span) {
+    accesses_.push_back({AccessMode::close, owner, span});
+    return *this;
+}
+
+Action& Action::within(const std::string& owner, const std::string& span) {
+    accesses_.push_back({AccessMode::within, owner, span});
+    return *this;
+}
+
 bool Declaration::hasTrait(std::string_view trait) const {
     return std::find(traits_.begin(), traits_.end(), trait) != traits_.end();
 }

@@ -18,8 +18,10 @@ const char* kindName(Kind kind);
 inline constexpr std::array all_kinds{Kind::block,    Kind::shape,  Kind::kernel, Kind::material,
                                       Kind::dynamics, Kind::output, Kind::field};
 
-/// How an action uses a field; accumulate adds to a value that the layer zeroes first.
-enum class AccessMode { read, write, accumulate };
+/// How an action uses a field; accumulate adds to a value that the layer zeroes first. The last
+/// three are about a span of the loop instead ("step", "mean"): one action opens it, another closes
+/// it in turn, others belong within.
+enum class AccessMode { read, write, accumulate, open, close, within };
 
 /// A field of the bodies that `owner` stands for: a parameter that refers to bodies or parts
 /// ("body", "from", "bodies"), or "neighbors", the bodies that the first such parameter sees in
@@ -27,7 +29,7 @@ enum class AccessMode { read, write, accumulate };
 struct Access {
     AccessMode mode;
     std::string owner;
-    std::string field;  ///< of particles/fields.h, or a pseudo field of dynamics/dynamics.h
+    std::string field;  ///< of particles/fields.h, a pseudo field of dynamics/dynamics.h, or a span
 };
 
 /// Something that a loop line can call.
@@ -37,6 +39,9 @@ class Action {
     Action& reads(const std::string& owner, std::initializer_list<std::string_view> fields);
     Action& writes(const std::string& owner, std::initializer_list<std::string_view> fields);
     Action& accumulates(const std::string& owner, std::initializer_list<std::string_view> fields);
+    Action& opens(const std::string& owner, const std::string& span);
+    Action& closes(const std::string& owner, const std::string& span);
+    Action& within(const std::string& owner, const std::string& span);
 
     const std::string& name() const { return name_; }  ///< empty: the method's only one
     const std::string& doc() const { return doc_; }

@@ -49,7 +49,10 @@ std::string accessText(const Action& action, AccessMode mode) {
 
 constexpr std::pair<AccessMode, const char*> modes[] = {{AccessMode::read, "reads"},
                                                         {AccessMode::write, "writes"},
-                                                        {AccessMode::accumulate, "accumulates"}};
+                                                        {AccessMode::accumulate, "accumulates"},
+                                                        {AccessMode::open, "begins"},
+                                                        {AccessMode::close, "ends"},
+                                                        {AccessMode::within, "within"}};
 
 /// The text in lines of at most 100 columns, all but the first indented.
 std::string wrapped(const std::string& text, std::size_t indent) {

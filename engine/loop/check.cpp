@@ -12,6 +12,7 @@ std::vector<Issue> checkLoop(const LoopFacts& facts) {
     checkLayers(facts, flow, issues);
     checkFields(facts, flow, issues);
     checkAccumulation(facts, flow, issues);
+    checkSpans(facts, flow, issues);
     checkNeighbors(facts, flow, issues);
     return issues;
 }

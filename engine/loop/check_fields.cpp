@@ -20,8 +20,7 @@ void define(const FlowNode& node, Defined& defined) {
     if (node.kind == FlowNode::Kind::zero) defined.insert(node.zeroed);
     if (!node.line || node.line->sometimes) return;
     for (const FieldAccess& access : node.line->accesses)
-        if (isField(access) && access.mode != AccessMode::read)
-            defined.insert({access.body, access.field});
+        if (isField(access) && changes(access.mode)) defined.insert({access.body, access.field});
 }
 
 bool intersect(Defined& into, const Defined& from) {

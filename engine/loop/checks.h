@@ -16,6 +16,8 @@ void checkLayers(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& i
 void checkFields(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// Accumulated fields.
 void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
+/// What must be done in turn, or between two lines: halves of a step, means.
+void checkSpans(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// Neighbor lists.
 void checkNeighbors(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 

@@ -106,7 +106,8 @@ class BrokenSolid(Promise):
         case = self.case("gate_2d", domain={"lower": [-1, -1], "upper": [0.62, 2],
                                             "lost_particles": "remove"})
         said = self.sphinx(case, self.folder / "out", expect=3)
-        self.assertRegex(said, r"error: particle \d+ of gate left the domain at \(\S+, \S+\), time \d\S*\n")
+        self.assertRegex(said, r"error: particle \d+ of gate left the domain at \(\S+, \S+\), time 0\.\d+: "
+                               r"it reaches from \(-1, -1\) to \(0\.62, 2\)\n")
 
 
 class CannotWrite(Promise):

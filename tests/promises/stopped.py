@@ -59,13 +59,13 @@ class Stopped(Promise):
         self.assert_same_physics(last_restart(parts), last_restart(whole))
         self.assertEqual(results.differences(whole, parts), [])
 
-    def test_without_restarts_nothing_is_promised(self):
+    def test_a_case_without_restarts_is_kept_as_well(self):
         case = self.case("splash_2d", **CHANGES, outputs={})
         said = self.sphinx(case, self.folder / "out", "--time-limit", "1e-9s")
-        self.assertIn("no output of this run was a restart", said)
-        self.assertEqual(restarts(self.folder / "out"), {})
-        said = self.sphinx(case, self.folder / "out", "--resume", expect=4)
-        self.assertIn("no valid restart in", said)
+        self.assertIn("go on with --resume", said)
+        self.assertEqual(last_restart(self.folder / "out").steps, 1)
+        said = self.sphinx(case, self.folder / "out", "--resume")
+        self.assertIn("done at time", said)
 
 
 if __name__ == "__main__":

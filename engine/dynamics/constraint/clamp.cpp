@@ -65,7 +65,8 @@ void declareClamp(input::Registry& registry) {
     d.action("", "between the halves of the step, and at the start before the correction")
         .reads("part", {"initial_position", "velocity", "mass", "acceleration",
                         "external_acceleration", "pressure_force", "viscous_force"})
-        .writes("part", {"velocity", "acceleration"});
+        .writes("part", {"velocity", "acceleration"})
+        .within("part", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<Clamp<Dim>>(context, Part<Dim>(context.world, p.part));
     }));

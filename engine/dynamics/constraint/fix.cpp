@@ -44,7 +44,8 @@ void declareFix(input::Registry& registry) {
                "axes along which nothing moves; without: all");
     d.action("", "between the halves of the step")
         .reads("part", {"velocity", "mass"})
-        .writes("part", {"velocity"});
+        .writes("part", {"velocity"})
+        .within("part", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<Fix<Dim>>(Part<Dim>(context.world, p.part), p.directions);
     }));

@@ -116,7 +116,8 @@ void declarePrescribedMotion(input::Registry& registry) {
              "elastic: between the halves of the step; rigid: before the fluid's step, whose "
              "neighbors are stale from then on")
         .reads("part", {"initial_position", "position", "velocity", "acceleration", "mass"})
-        .writes("part", {"position", "velocity", "acceleration"});
+        .writes("part", {"position", "velocity", "acceleration"})
+        .within("part", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p,
                                              Context<Dim>& context) -> std::unique_ptr<Method> {
         const Part<Dim> part(context.world, p.part);

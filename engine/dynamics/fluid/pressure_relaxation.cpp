@@ -253,14 +253,16 @@ void declarePressureRelaxation(input::Registry& registry) {
         .reads("neighbors.solid", {"normal", "volume"})
         .reads("neighbors.rigid", {"velocity", "acceleration"})
         .reads("neighbors.elastic", {"average_velocity"})
-        .writes("body", {"density", "pressure", "volume", "position", "velocity"});
+        .writes("body", {"density", "pressure", "volume", "position", "velocity"})
+        .opens("body", "step");
     d.action("second_half", "rate of change of the density; density and position to the full step")
         .reads("body", {"velocity", "pressure", "volume", "density", "position",
                         "external_acceleration", "neighbors"})
         .reads("neighbors.solid", {"normal", "volume"})
         .reads("neighbors.rigid", {"velocity", "acceleration"})
         .reads("neighbors.elastic", {"average_velocity"})
-        .writes("body", {"density_rate", "density", "position"});
+        .writes("body", {"density_rate", "density", "position"})
+        .closes("body", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<PressureRelaxation<Dim>>(context, bodyOf(context, p.body),
                                                          p.riemann);

@@ -45,10 +45,13 @@ void declareAverageKinematics(input::Registry& registry) {
         "average v = u + a dt/2");
     d.citation("Zhang, Rezavand & Hu 2021, doi:10.1016/j.jcp.2020.110028");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
-    d.action("begin", "before the steps of the solid").reads("body", {"position"});
+    d.action("begin", "before the steps of the solid")
+        .reads("body", {"position"})
+        .opens("body", "mean");
     d.action("end", "after them, in the same layer")
         .reads("body", {"position", "average_velocity", "average_acceleration"})
-        .writes("body", {"average_velocity", "average_acceleration"});
+        .writes("body", {"average_velocity", "average_acceleration"})
+        .closes("body", "mean");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<AverageKinematics<Dim>>(bodyOf(context, p.body));
     }));

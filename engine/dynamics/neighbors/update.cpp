@@ -6,6 +6,7 @@
 #include "core/log.h"
 #include "core/parallel.h"
 #include "core/place_text.h"
+#include "materials/material.h"
 
 #include <fmt/format.h>
 
@@ -43,7 +44,11 @@ void Update<Dim>::keepInside(Body<Dim>& body, const Clock& clock) {
             if (x >= upper) x -= period;
         });
     }
-    const auto outside = [&](std::size_t i) { return !domain.bounds.contains(position[i]); };
+    // A wall goes where its motion is prescribed.
+    const bool wall = dynamic_cast<const Rigid*>(body.material.get()) != nullptr;
+    const auto outside = [&](std::size_t i) {
+        return wall ? !position[i].allFinite() : !domain.bounds.contains(position[i]);
+    };
     const auto lost = parallelSum(body.size(), [&](std::size_t i) { return outside(i) ? 1L : 0L; });
     if (lost == 0) return;
 
@@ -57,7 +62,9 @@ void Update<Dim>::keepInside(Body<Dim>& body, const Clock& clock) {
             throw PhysicsError(fmt::format("position of particle {} of {} is {} at time {:g}", id,
                                            body.name, place, clock.time));
         const std::string message = fmt::format(
-            "particle {} of {} left the domain at {}, time {:g}", id, body.name, place, clock.time);
+            "particle {} of {} left the domain at {}, time {:g}: it reaches from {} to {}", id,
+            body.name, place, clock.time, placeText<Dim>(domain.bounds.lower),
+            placeText<Dim>(domain.bounds.upper));
         // Lists of the reference configuration and parts of a solid know its particles by place.
         if (body.kind != BodyKind::fluid) throw PhysicsError(message);
         if (domain.lost == LostParticles::stop)

@@ -75,10 +75,12 @@ void declareStressRelaxation(input::Registry& registry) {
                         "correction_matrix", "deformation_gradient", "deformation_rate",
                         "external_acceleration", "pressure_force", "viscous_force"})
         .writes("body", {"deformation_gradient", "corrected_stress", "density", "position",
-                         "velocity", "acceleration"});
+                         "velocity", "acceleration"})
+        .opens("body", "step");
     d.action("second_half", "rate of the deformation; deformation and position to the full step")
         .reads("body", {"position", "velocity", "correction_matrix", "deformation_gradient"})
-        .writes("body", {"deformation_rate", "deformation_gradient", "position"});
+        .writes("body", {"deformation_rate", "deformation_gradient", "position"})
+        .closes("body", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<StressRelaxation<Dim>>(context, bodyOf(context, p.body),
                                                        p.hourglass_control, p.damping);

@@ -17,11 +17,13 @@ void declareStressUpdate(input::Registry& registry) {
     d.action("first_half", "deformation and stress to the half step")
         .reads("body", {"initial_position", "velocity", "volume", "correction_matrix",
                         "deformation_gradient", "deformation_rate"})
-        .writes("body", {"deformation_gradient", "corrected_stress", "density"});
+        .writes("body", {"deformation_gradient", "corrected_stress", "density"})
+        .opens("body", "step");
     d.action("second_half", "rate of the deformation; deformation to the full step")
         .reads("body", {"velocity", "correction_matrix", "deformation_gradient"})
         .reads("neighbors.elastic", {"velocity"})
-        .writes("body", {"deformation_rate", "deformation_gradient"});
+        .writes("body", {"deformation_rate", "deformation_gradient"})
+        .closes("body", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<StressUpdate<Dim>>(context, bodyOf(context, p.body),
                                                    p.hourglass_control);
