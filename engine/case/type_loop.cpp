@@ -190,8 +190,10 @@ void declareEvery(Registry& registry) {
     d.summary("How often something happens besides the start and the end; exactly one interval");
     d.optional("time", &P::time, number(unit::time).above(0), "interval of simulated time");
     d.optional("steps", &P::steps, integer().atLeast(1), "interval in steps of a layer");
-    d.optional("layer", &P::layer, layerReference(),
-               "layer whose steps count; default: the outermost");
+    d.optional(
+        "layer", &P::layer, layerReference(),
+        "layer whose steps count; default: the outermost. An output is written at the end of an "
+        "outermost step");
     d.optional("wall_time", &P::wall_time, wallSeconds(), "interval on the clock on the wall");
     d.check("", [](const P& p) -> std::string {
         const int given = p.time.has_value() + p.steps.has_value() + p.wall_time.has_value();

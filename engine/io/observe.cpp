@@ -170,8 +170,10 @@ void declareObserve(input::Registry& registry) {
                "something else than fields");
     d.optional("mean", &P::mean, input::boolean(),
                "one mean over all points, those without a particle near left out: a sensor's area");
-    d.optional("average", &P::average, input::boolean(),
-               "rows are means over the time since the row before instead of values at an instant");
+    d.optional(
+        "average", &P::average, input::boolean(),
+        "rows are means, over the ends of outermost steps since the row before, instead of values "
+        "at an instant");
     d.check("observer", [](const P& p) -> std::string {
         return p.fields.empty() == p.quantity.has_value() ? ""
                                                           : "an observer needs either 'fields' or "

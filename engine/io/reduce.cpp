@@ -85,8 +85,10 @@ void declareReduce(input::Registry& registry) {
     d.optional("axis", &P::axis,
                input::choice<Axis>({{"x", Axis::x, ""}, {"y", Axis::y, ""}, {"z", Axis::z, ""}}),
                "of front_position; default x");
-    d.optional("average", &P::average, input::boolean(),
-               "rows are means over the time since the row before instead of values at an instant");
+    d.optional(
+        "average", &P::average, input::boolean(),
+        "rows are means, over the ends of outermost steps since the row before, instead of values "
+        "at an instant");
     d.check("axis", [](const P& p) -> std::string {
         return p.axis && p.quantity != Reduced::front_position ? "'axis' is for front_position"
                                                                : "";
