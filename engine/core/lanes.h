@@ -136,9 +136,11 @@ inline Lanes gatherLanes(const double* p, const Index* index) {
 }
 
 /// The first four doubles of records of `Stride` doubles, of eight particles, transposed:
-/// out[c][k] = base[Stride * index[k] + c]. Loads and shuffles beat hardware gathers.
+/// out[c][k] = base[Stride * index[k] + c]. Loads and shuffles beat hardware gathers. (A call that
+/// is not inlined writes all registers of the loop around it to memory.)
 template <int Stride>
-inline void gatherRecords(const double* base, const std::uint32_t* index, Lanes out[4]) {
+[[gnu::always_inline]] inline void gatherRecords(const double* base, const std::uint32_t* index,
+                                                 Lanes out[4]) {
     const auto row = [&](int k) {
         HalfLanes a;
         std::memcpy(&a, base + std::size_t{Stride} * index[k], sizeof a);
@@ -162,7 +164,8 @@ inline void gatherRecords(const double* base, const std::uint32_t* index, Lanes 
 }
 
 /// Records of two doubles, in the same way.
-inline void gatherPairs(const double* base, const std::uint32_t* index, Lanes out[2]) {
+[[gnu::always_inline]] inline void gatherPairs(const double* base, const std::uint32_t* index,
+                                               Lanes out[2]) {
     using Pair = double __attribute__((vector_size(16)));
     const auto row = [&](int k) {
         Pair a;

@@ -5,6 +5,7 @@
 #include "core/lanes.h"
 #include "neighbors/neighbor_list.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sphinx {
@@ -67,24 +68,36 @@ inline Lanes dotLanes(const Lanes a[Dim], const Lanes b[Dim]) {
     return sum;
 }
 
-/// Asks for the block that a loop over particles meets some hundred nanoseconds after this one:
-/// lists lie in memory in the order in which they are read, and are too long for the caches. (The
-/// processor's own prefetching ends with every page.)
-template <class Block>
-inline void prefetchAfter(const Block& block) {
-    constexpr std::uintptr_t ahead = 16;
-    constexpr std::uintptr_t cache_line = 64;
-    const std::uintptr_t next = reinterpret_cast<std::uintptr_t>(&block) + ahead * sizeof(Block);
-    for (std::uintptr_t byte = 0; byte < sizeof(Block); byte += cache_line)
-        __builtin_prefetch(reinterpret_cast<const void*>(next + byte));
-}
+/// Asks for the blocks of the particle that a loop meets some hundred nanoseconds after i, one at a
+/// time: lists are too long for the caches, and particles need not stand in the lists' order.
+template <int Dim>
+class Prefetch {
+ public:
+    Prefetch(const NeighborList<Dim>& list, std::size_t i) {
+        constexpr std::size_t ahead = Dim == 2 ? 8 : 3;
+        const std::size_t later = std::min(i + ahead, list.ranges.size() - 1);
+        next_ = reinterpret_cast<std::uintptr_t>(list.blocks.data()) +
+                list.ranges[later].first * block_size;
+    }
+    void next() {
+        constexpr std::uintptr_t cache_line = 64;
+        for (std::uintptr_t byte = 0; byte < block_size; byte += cache_line)
+            __builtin_prefetch(reinterpret_cast<const void*>(next_ + byte));
+        next_ += block_size;
+    }
+
+ private:
+    static constexpr std::uintptr_t block_size = sizeof(typename NeighborList<Dim>::Block);
+    std::uintptr_t next_;
+};
 
 /// term(Pairs) for all neighbors of i, eight at a time. Unused places have a zero gradient, so a
 /// term that is linear in the gradient needs no mask.
 template <int Dim, class Term>
 inline void forEachPair(const NeighborList<Dim>& list, std::size_t i, Term&& term) {
+    Prefetch<Dim> prefetch(list, i);
     for (const auto& block : list.of(i)) {
-        prefetchAfter(block);
+        prefetch.next();
         Pairs<Dim> pairs;
         pairs.index = block.index;
         for (int c = 0; c < Dim; ++c) pairs.gradient[c] = loadLanes(block.gradient[c]);

@@ -28,7 +28,8 @@ struct PairLanes {
 };
 
 template <int Dim>
-inline PairLanes<Dim> gather(const PairState<Dim>* state, const std::uint32_t* index) {
+[[gnu::always_inline]] inline PairLanes<Dim> gather(const PairState<Dim>* state,
+                                                    const std::uint32_t* index) {
     const double* base = state->v;
     Lanes r[4];
     gatherRecords<PairState<Dim>::stride>(base, index, r);

@@ -6,7 +6,8 @@ namespace sphinx::particles {
 
 template <int Dim>
 void Sort<Dim>::run(int, const Clock&) {
-    grid_.build(body_->particles.position().data(), body_->size(), body_->kernel.cutoff());
+    const double cell_size = Dim == 2 ? body_->kernel.cutoff() : body_->spacing;
+    grid_.build(body_->particles.position().data(), body_->size(), cell_size);
     body_->particles.permute(grid_.order());
     ++body_->version;
 }

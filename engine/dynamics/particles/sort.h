@@ -12,7 +12,9 @@ struct SortParameters {
 };
 
 /// Reorders the particles of a body cell by cell, so that neighbors in space are neighbors in
-/// memory. Changes no value; lists of the body must be rebuilt afterwards.
+/// memory: in 2D by the cells of the lists, in 3D, where the particles around such a cell fill the
+/// first cache, by rows of single particles. Changes no value; lists of the body must be rebuilt
+/// afterwards.
 template <int Dim>
 class Sort final : public Method {
  public:
