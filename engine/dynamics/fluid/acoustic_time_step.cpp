@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/fluid/acoustic_time_step.h"
 
-#include "core/parallel.h"
+#include "dynamics/fluid/largest_speed.h"
 #include "materials/fluid.h"
 
 #include <cmath>
@@ -18,8 +18,7 @@ AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
 
 template <int Dim>
 double AcousticTimeStep<Dim>::estimate() {
-    const double speed2 =
-        parallelMax(body_->size(), 0.0, [&](std::size_t i) { return velocity_[i].squaredNorm(); });
+    const double speed2 = largestSquaredSpeed<Dim>(velocity_);
     return cfl_ * body_->kernel.smoothingLength() / (c0_ + std::sqrt(speed2));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/fluid/advection_time_step.h"
 
-#include "core/parallel.h"
+#include "dynamics/fluid/largest_speed.h"
 #include "materials/fluid.h"
 
 #include <algorithm>
@@ -22,8 +22,7 @@ AdvectionTimeStep<Dim>::AdvectionTimeStep(Body<Dim>& body, double reference_spee
 
 template <int Dim>
 double AdvectionTimeStep<Dim>::estimate() {
-    const double speed2 =
-        parallelMax(body_->size(), 0.0, [&](std::size_t i) { return velocity_[i].squaredNorm(); });
+    const double speed2 = largestSquaredSpeed<Dim>(velocity_);
     const double h = body_->kernel.smoothingLength();
     const double step = h / std::max(std::sqrt(speed2), reference_speed_);
     return cfl_ * (nu_ > 0 ? std::min(step, h * h / nu_) : step);
