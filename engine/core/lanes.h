@@ -117,13 +117,26 @@ inline HalfLanes sumLanes(Lanes a, Lanes b, Lanes c, Lanes d) {
            __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
 }
 
-/// Bit k is set where lane k of a comparison is true.
-inline unsigned maskBits(LaneMask mask) {
-#if defined(__AVX512DQ__)
-    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
+/// Bit k is set where a[k] < b[k].
+inline unsigned lessBits(Lanes a, Lanes b) {
+#if defined(__AVX512F__)
+    return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b),
+                              _CMP_LT_OQ);
 #else
     unsigned bits = 0;
-    for (int k = 0; k < lane_count; ++k) bits |= mask[k] ? 1u << k : 0u;
+    for (int k = 0; k < lane_count; ++k) bits |= a[k] < b[k] ? 1u << k : 0u;
+    return bits;
+#endif
+}
+/// Bit k is set where p[k] is not b.
+inline unsigned differBits(const std::int32_t* p, std::int32_t b) {
+    WholeLanes a;
+    std::memcpy(&a, p, sizeof a);
+#if defined(__AVX512VL__)
+    return _mm256_cmpneq_epi32_mask(reinterpret_cast<__m256i>(a), _mm256_set1_epi32(b));
+#else
+    unsigned bits = 0;
+    for (int k = 0; k < lane_count; ++k) bits |= a[k] != b ? 1u << k : 0u;
     return bits;
 #endif
 }
@@ -138,8 +151,8 @@ inline Lanes gatherLanes(const double* p, const Index* index) {
 /// The first four doubles of records of `Stride` doubles, of eight particles, transposed:
 /// out[c][k] = base[Stride * index[k] + c]. Loads and shuffles beat hardware gathers. (A call that
 /// is not inlined writes all registers of the loop around it to memory.)
-template <int Stride>
-[[gnu::always_inline]] inline void gatherRecords(const double* base, const std::uint32_t* index,
+template <int Stride, class Index>
+[[gnu::always_inline]] inline void gatherRecords(const double* base, const Index* index,
                                                  Lanes out[4]) {
     const auto row = [&](int k) {
         HalfLanes a;

@@ -67,10 +67,10 @@ void CellGrid<Dim>::build(const Vec<Dim>* position, std::size_t n, double cell_s
     for (std::size_t c = cells; c > 0; --c) start_[c] = start_[c - 1];
     start_[0] = 0;
 
-    for (int k = 0; k < Dim; ++k) sorted_[k].resize(n);
-    parallelRanges(n, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t s = begin; s < end; ++s)
-            for (int k = 0; k < Dim; ++k) sorted_[k][s] = position[order_[s]][k];
+    sites_.resize(n);
+    parallelFor(n, [&](std::size_t s) {
+        const Vec<Dim>& x = position[order_[s]];
+        sites_[s] = {{x[0], x[1], Dim == 3 ? x[Dim - 1] : 0}, static_cast<double>(order_[s])};
     });
 }
 
@@ -94,9 +94,8 @@ std::size_t CellGrid<Dim>::cellIndex(const std::array<int, Dim>& c) const {
 
 template <int Dim>
 std::size_t CellGrid<Dim>::bytes() const {
-    std::size_t sum = 4 * (start_.capacity() + cell_of_.capacity() + order_.capacity());
-    for (const auto& axis : sorted_) sum += 8 * axis.capacity();
-    return sum;
+    return 4 * (start_.capacity() + cell_of_.capacity() + order_.capacity()) +
+           sizeof(Site) * sites_.capacity();
 }
 
 template class CellGrid<2>;

@@ -9,6 +9,12 @@
 
 namespace sphinx {
 
+/// A particle as the search for neighbors reads it, at one go.
+struct alignas(32) Site {
+    double x[3];   ///< position; in 2D the last is 0
+    double index;  ///< of the particle, exact
+};
+
 /// Particles of one body binned into cubic cells, x fastest. Within a cell particles stand in
 /// storage order, so the bins are a function of the state alone.
 template <int Dim>
@@ -29,8 +35,8 @@ class CellGrid {
     /// Particles of cell c are order()[start(c)] .. order()[start(c + 1) - 1].
     std::size_t start(std::size_t cell) const { return start_[cell]; }
     const AlignedVector<Index>& order() const { return order_; }
-    /// Positions in the order of order(), one array per axis.
-    const double* sorted(int axis) const { return sorted_[axis].data(); }
+    /// The particles in the order of order().
+    const Site* sites() const { return sites_.data(); }
 
     std::size_t bytes() const;
 
@@ -41,7 +47,7 @@ class CellGrid {
     AlignedVector<std::uint32_t> start_;
     AlignedVector<Index> cell_of_;
     AlignedVector<Index> order_;
-    std::array<AlignedVector<double>, Dim> sorted_;
+    AlignedVector<Site> sites_;
 };
 
 extern template class CellGrid<2>;
