@@ -18,6 +18,12 @@ namespace detail {
 using RangeFunction = void (*)(void* context, std::size_t begin, std::size_t end);
 /// Calls `function` for consecutive ranges of at most `grain` indices, on all threads.
 void runRanges(std::size_t n, std::size_t grain, RangeFunction function, void* context);
+/// The one copy of a loop's body: compiled twice, for one thread and for several, fused products
+/// could round differently in each.
+template <class Plain>
+[[gnu::noipa]] void callRange(void* context, std::size_t begin, std::size_t end) {
+    (*static_cast<Plain*>(context))(begin, end);
+}
 }  // namespace detail
 
 /// Particles of one range: large enough that a range costs microseconds, small enough to share out.
@@ -27,17 +33,13 @@ inline constexpr std::size_t default_grain = 512;
 /// Which thread runs which range is open, so a body may write only what belongs to its indices.
 template <class Body>
 void parallelRanges(std::size_t n, Body&& body, std::size_t grain = default_grain) {
+    using Plain = std::remove_reference_t<Body>;
+    void* context = const_cast<void*>(static_cast<const void*>(&body));
     if (n <= grain || threadCount() == 1) {
-        if (n > 0) body(std::size_t{0}, n);
+        if (n > 0) detail::callRange<Plain>(context, 0, n);
         return;
     }
-    using Plain = std::remove_reference_t<Body>;
-    detail::runRanges(
-        n, grain,
-        [](void* context, std::size_t begin, std::size_t end) {
-            (*static_cast<Plain*>(context))(begin, end);
-        },
-        const_cast<void*>(static_cast<const void*>(&body)));
+    detail::runRanges(n, grain, detail::callRange<Plain>, context);
 }
 
 /// body(i) for every i in [0, n).
