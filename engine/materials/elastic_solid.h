@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/types.h"
+#include "core/wide.h"
 #include "materials/material.h"
 
 namespace sphinx {
 
 /// Unit directions of the muscle at a particle in the reference configuration, perpendicular to
 /// each other: fibre f0 and sheet s0 of the guide's (13).
-template <int Dim>
+template <int Dim, class Number = double>
 struct Fibres {
-    Vec<Dim> fibre = Vec<Dim>::Zero();
-    Vec<Dim> sheet = Vec<Dim>::Zero();
+    VecOf<Dim, Number> fibre = VecOf<Dim, Number>::Zero();
+    VecOf<Dim, Number> sheet = VecOf<Dim, Number>::Zero();
 };
 
 /// The final classes of ElasticSolid, for withLaw() of elastic.h.
@@ -28,17 +28,21 @@ enum class ElasticLaw {
 /// What depends on the deformation are members of the final classes, reached through withLaw():
 ///
 ///     static constexpr bool uses_fibres;  // else `fibres` below is ignored: pass {}
-///     template <int Dim> Mat<Dim> stress(const Mat<Dim>& C, const Fibres<Dim>& fibres) const;
+///     template <int Dim, class Number = double>
+///     MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const;
 ///     template <int Dim> double energy(const Mat<Dim>& C, const Fibres<Dim>& fibres) const;
-///     template <int Dim> bool admissible(const Mat<Dim>& C) const;
-///     template <int Dim> double tangentModulus(const Mat<Dim>& C, const Fibres<Dim>&) const;
+///     template <int Dim, class Number = double>
+///     Truth<Number> admissible(const MatOf<Dim, Number>& C) const;
+///     template <int Dim, class Number = double>
+///     Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const;
 ///
+/// Number is double, or Wide for eight particles at a time.
 /// C = F^T F must be exactly symmetric with det C > 0.
 /// stress: second Piola-Kirchhoff stress S = 2 dW/dC, symmetric, pressure; of the elastic part
 ///   alone, the damping (16) is the business of the method.
 /// energy: W per reference volume, pressure; 0 at rest.
-/// admissible: false where the law has no stress (a finite extensibility that is exceeded); the
-///   other members must not be asked there.
+/// admissible: false where the law has no stress (a finite extensibility that is exceeded); what
+///   the other members give there means nothing.
 /// tangentModulus: an upper estimate, over all directions N of propagation and m of motion, of
 ///   m.Q(N).m with the acoustic tensor of the reference coordinates
 ///   Q_ij = F_iA F_jB (dS/dE)_ACBD N_C N_D + delta_ij N.S.N (pressure, above 0), so that

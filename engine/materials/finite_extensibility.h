@@ -28,12 +28,12 @@ class FiniteExtensibility final : public IsotropicSolid {
         return IsotropicSolid::bulkModulus() + 2 * mu() / extensibility_;
     }
 
-    template <int Dim>
-    Mat<Dim> stress(const Mat<Dim>& C, const Fibres<Dim>&) const {
-        const VolumeChange<Dim> v(C);
-        const double used = usedUp<Dim>(C);
+    template <int Dim, class Number = double>
+    MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {
+        const VolumeChange<Dim, Number> v(C);
+        const Number used = usedUp<Dim, Number>(C);
         // p I - mu C^-1 = (p - mu) I + mu (I - C^-1)
-        return mu() * used / (1 - used) * Mat<Dim>::Identity() + mu() * v.identity_less +
+        return mu() * used / (1 - used) * MatOf<Dim, Number>::Identity() + mu() * v.identity_less +
                lambda() * v.log_j * v.inverse;
     }
     template <int Dim>
@@ -42,25 +42,26 @@ class FiniteExtensibility final : public IsotropicSolid {
         return -mu() / 2 * extensibility_ * std::log1p(-usedUp<Dim>(C)) - mu() * log_j +
                lambda() / 2 * log_j * log_j;
     }
-    template <int Dim>
-    bool admissible(const Mat<Dim>& C) const {
-        return usedUp<Dim>(C) < 1;
+    template <int Dim, class Number = double>
+    Truth<Number> admissible(const MatOf<Dim, Number>& C) const {
+        return usedUp<Dim, Number>(C) < 1;
     }
     /// m.Q.m = p + (lambda (1 - ln J) + mu)(m.g)^2 + 2 p^2/(mu J_m) (m.F N)^2 with g = F^-T N.
-    template <int Dim>
-    double tangentModulus(const Mat<Dim>& C, const Fibres<Dim>&) const {
-        const VolumeChange<Dim> v(C);
-        const double p = mu() / (1 - usedUp<Dim>(C));
-        const double volumetric = std::max(0., lambda() * (1 - v.log_j) + mu());
-        return p + volumetric * largestEigenvalueBound<Dim>(v.inverse) +
-               2 * p * p / (mu() * extensibility_) * largestEigenvalueBound<Dim>(C);
+    template <int Dim, class Number = double>
+    Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {
+        const VolumeChange<Dim, Number> v(C);
+        using std::max;
+        const Number p = mu() / (1 - usedUp<Dim, Number>(C));
+        const Number volumetric = max(Number(0), lambda() * (1 - v.log_j) + mu());
+        return p + volumetric * largestEigenvalueBound<Dim, Number>(v.inverse) +
+               2 * p * p / (mu() * extensibility_) * largestEigenvalueBound<Dim, Number>(C);
     }
 
  private:
     /// (I_1 - 3)/J_m.
-    template <int Dim>
-    double usedUp(const Mat<Dim>& C) const {
-        return firstInvariantLessThree<Dim>(C) / extensibility_;
+    template <int Dim, class Number = double>
+    Number usedUp(const MatOf<Dim, Number>& C) const {
+        return firstInvariantLessThree<Dim, Number>(C) / extensibility_;
     }
 
     double extensibility_;

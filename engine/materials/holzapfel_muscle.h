@@ -54,10 +54,10 @@ class HolzapfelMuscle final : public ElasticSolid {
     double bulkModulus() const override { return bulk_modulus_; }
     double shearModulus() const override { return shear_modulus_; }
 
-    template <int Dim>
-    Mat<Dim> stress(const Mat<Dim>& C, const Fibres<Dim>& d) const {
-        const State<Dim> s(p_, C, d);
-        const Mat<Dim> cross = d.fibre * d.sheet.transpose();
+    template <int Dim, class Number = double>
+    MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& d) const {
+        const State<Dim, Number> s(p_, C, d);
+        const MatOf<Dim, Number> cross = d.fibre * d.sheet.transpose();
         return s.a * s.volume.identity_less + p_.lame_lambda * s.volume.log_j * s.volume.inverse +
                2 * s.a_f * s.i_f * d.fibre * d.fibre.transpose() +
                2 * s.a_s * s.i_s * d.sheet * d.sheet.transpose() +
@@ -65,61 +65,68 @@ class HolzapfelMuscle final : public ElasticSolid {
     }
     template <int Dim>
     double energy(const Mat<Dim>& C, const Fibres<Dim>& d) const {
-        const State<Dim> s(p_, C, d);
+        const State<Dim, double> s(p_, C, d);
         const double log_j = s.volume.log_j;
         return 0.5 *
                (p_.a * grown(p_.b, s.psi) + p_.lame_lambda * log_j * log_j +
                 p_.a_f * grown(p_.b_f, s.i_f * s.i_f) + p_.a_s * grown(p_.b_s, s.i_s * s.i_s) +
                 p_.a_fs * grown(p_.b_fs, s.i_fs * s.i_fs));
     }
-    template <int Dim>
-    bool admissible(const Mat<Dim>&) const {
-        return true;
+    template <int Dim, class Number = double>
+    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
+        return always<Number>();
     }
     /// The isotropic part is that of NeoHookean with mu = a exp(b psi), plus
     /// 2 b mu (m.(F - F^-T)N)^2; fibre and sheet share N: (N.f)^2 + (N.s)^2 <= 1.
-    template <int Dim>
-    double tangentModulus(const Mat<Dim>& C, const Fibres<Dim>& d) const {
-        const State<Dim> s(p_, C, d);
-        const Mat<Dim> I = Mat<Dim>::Identity();
-        const double volumetric = std::max(0., p_.lame_lambda * (1 - s.volume.log_j) + s.a);
-        const Mat<Dim> stretch = C - I - s.volume.identity_less;  // (F - F^-T)^T (F - F^-T)
-        const double along = alongModulus(s.a_f, p_.b_f, s.i_f);
-        const double across = alongModulus(s.a_s, p_.b_s, s.i_s);
-        Mat<2> pair;  // of F f and F s
+    template <int Dim, class Number = double>
+    Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& d) const {
+        using std::abs;
+        using std::max;
+        using Matrix = MatOf<Dim, Number>;
+        const State<Dim, Number> s(p_, C, d);
+        const Matrix I = Matrix::Identity();
+        const Number volumetric = max(Number(0), p_.lame_lambda * (1 - s.volume.log_j) + s.a);
+        const Matrix stretch = C - I - s.volume.identity_less;  // (F - F^-T)^T (F - F^-T)
+        const Number along = alongModulus(s.a_f, p_.b_f, s.i_f);
+        const Number across = alongModulus(s.a_s, p_.b_s, s.i_s);
+        MatOf<2, Number> pair;  // of F f and F s
         pair << 1 + s.i_f, s.i_fs, s.i_fs, 1 + s.i_s;
-        const double shear = s.a_fs * (1 + 2 * p_.b_fs * s.i_fs * s.i_fs);
-        return s.a + volumetric * largestEigenvalueBound<Dim>(s.volume.inverse) +
-               2 * p_.b * s.a * largestEigenvalueBound<Dim>(stretch) + std::max(along, across) +
-               shear * largestEigenvalueBound<2>(pair) + s.a_fs * std::abs(s.i_fs);
+        const Number shear = s.a_fs * (1 + 2 * p_.b_fs * s.i_fs * s.i_fs);
+        return s.a + volumetric * largestEigenvalueBound<Dim, Number>(s.volume.inverse) +
+               2 * p_.b * s.a * largestEigenvalueBound<Dim, Number>(stretch) + max(along, across) +
+               shear * largestEigenvalueBound<2, Number>(pair) + s.a_fs * abs(s.i_fs);
     }
 
  private:
     /// (exp(b x) - 1)/b, also for b = 0.
     static double grown(double b, double x) { return b == 0 ? x : std::expm1(b * x) / b; }
     /// Tangent and pull of one family of fibres with I = 1 + i.
-    static double alongModulus(double a, double b, double i) {
-        return 4 * a * (1 + 2 * b * i * i) * (1 + i) + std::max(0., 2 * a * i);
+    template <class Number>
+    static Number alongModulus(const Number& a, double b, const Number& i) {
+        using std::max;
+        return 4 * a * (1 + 2 * b * i * i) * (1 + i) + max(Number(0), 2 * a * i);
     }
 
     /// Invariants and the factors a exp(...) of one deformation.
-    template <int Dim>
+    template <int Dim, class Number>
     struct State {
-        VolumeChange<Dim> volume;
-        double psi, i_f, i_s, i_fs;  ///< psi, I_ff - 1, I_ss - 1, I_fs
-        double a, a_f, a_s, a_fs;
+        VolumeChange<Dim, Number> volume;
+        Number psi, i_f, i_s, i_fs;  ///< psi, I_ff - 1, I_ss - 1, I_fs
+        Number a, a_f, a_s, a_fs;
 
-        State(const Parameters& p, const Mat<Dim>& C, const Fibres<Dim>& d) : volume(C) {
-            const Mat<Dim> strain = C - Mat<Dim>::Identity();
-            const Vec<Dim> along = strain * d.fibre;
+        State(const Parameters& p, const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& d)
+            : volume(C) {
+            using std::exp;
+            const MatOf<Dim, Number> strain = C - MatOf<Dim, Number>::Identity();
+            const VecOf<Dim, Number> along = strain * d.fibre;
             psi = strain.trace() - 2 * volume.log_j;
             i_f = d.fibre.dot(along);
             i_s = d.sheet.dot(strain * d.sheet);
             i_fs = d.sheet.dot(along);  // fibre and sheet are perpendicular
-            a = p.a * std::exp(p.b * psi);
-            a_f = p.a_f * std::exp(p.b_f * i_f * i_f);
-            a_s = p.a_s * std::exp(p.b_s * i_s * i_s);
-            a_fs = p.a_fs * std::exp(p.b_fs * i_fs * i_fs);
+            a = p.a * exp(p.b * psi);
+            a_f = p.a_f * exp(p.b_f * i_f * i_f);
+            a_s = p.a_s * exp(p.b_s * i_s * i_s);
+            a_fs = p.a_fs * exp(p.b_fs * i_fs * i_fs);
         }
     };
 

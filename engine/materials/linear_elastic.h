@@ -46,14 +46,15 @@ class LinearElastic final : public ElasticSolid {
     double bulkModulus() const override { return averageBulkModulus(stiffness_); }
     double shearModulus() const override { return averageShearModulus(stiffness_); }
 
-    template <int Dim>
-    Mat<Dim> stress(const Mat<Dim>& C, const Fibres<Dim>&) const {
-        Mat<Dim> S;
+    template <int Dim, class Number = double>
+    MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {
+        MatOf<Dim, Number> S;
+        const auto e = strains<Number>(greenStrain<Dim, Number>(C));
         if constexpr (Dim == 2) {
-            const Vec<3> s = plane_ * strains(greenStrain<2>(C));
+            const VecOf<3, Number> s = plane_ * e;
             S << s[0], s[2], s[2], s[1];
         } else {
-            const Eigen::Matrix<double, 6, 1> s = stiffness_ * strains(greenStrain<3>(C));
+            const VecOf<6, Number> s = stiffness_ * e;
             S << s[0], s[5], s[4], s[5], s[1], s[3], s[4], s[3], s[2];
         }
         return S;
@@ -62,21 +63,27 @@ class LinearElastic final : public ElasticSolid {
     double energy(const Mat<Dim>& C, const Fibres<Dim>& fibres) const {
         return 0.5 * stress<Dim>(C, fibres).cwiseProduct(greenStrain<Dim>(C)).sum();
     }
-    template <int Dim>
-    bool admissible(const Mat<Dim>&) const {
-        return true;
+    template <int Dim, class Number = double>
+    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
+        return always<Number>();
     }
     /// m.Q.m = (a N):c:(a N) + N.S.N with a = F^T m, |a|^2 at most the largest eigenvalue of C.
-    template <int Dim>
-    double tangentModulus(const Mat<Dim>& C, const Fibres<Dim>& fibres) const {
-        const double pull = largestEigenvalueBound<Dim>(stress<Dim>(C, fibres));
-        return longitudinal_modulus_ * largestEigenvalueBound<Dim>(C) + std::max(0., pull);
+    template <int Dim, class Number = double>
+    Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& fibres) const {
+        using std::max;
+        const Number pull = largestEigenvalueBound<Dim, Number>(stress<Dim, Number>(C, fibres));
+        return longitudinal_modulus_ * largestEigenvalueBound<Dim, Number>(C) +
+               max(Number(0), pull);
     }
 
  private:
-    static Vec<3> strains(const Mat<2>& E) { return {E(0, 0), E(1, 1), 2 * E(0, 1)}; }
-    static Eigen::Matrix<double, 6, 1> strains(const Mat<3>& E) {
-        Eigen::Matrix<double, 6, 1> e;
+    template <class Number>
+    static VecOf<3, Number> strains(const MatOf<2, Number>& E) {
+        return {E(0, 0), E(1, 1), 2 * E(0, 1)};
+    }
+    template <class Number>
+    static VecOf<6, Number> strains(const MatOf<3, Number>& E) {
+        VecOf<6, Number> e;
         e << E(0, 0), E(1, 1), E(2, 2), 2 * E(1, 2), 2 * E(0, 2), 2 * E(0, 1);
         return e;
     }

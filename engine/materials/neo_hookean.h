@@ -16,9 +16,9 @@ class NeoHookean final : public IsotropicSolid {
 
     explicit NeoHookean(const Parameters& p) : IsotropicSolid(ElasticLaw::neo_hookean, p) {}
 
-    template <int Dim>
-    Mat<Dim> stress(const Mat<Dim>& C, const Fibres<Dim>&) const {
-        const VolumeChange<Dim> v(C);
+    template <int Dim, class Number = double>
+    MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {
+        const VolumeChange<Dim, Number> v(C);
         return mu() * v.identity_less + lambda() * v.log_j * v.inverse;
     }
     template <int Dim>
@@ -26,16 +26,17 @@ class NeoHookean final : public IsotropicSolid {
         const double log_j = VolumeChange<Dim>(C).log_j;
         return mu() * (firstInvariantLessThree<Dim>(C) / 2 - log_j) + lambda() / 2 * log_j * log_j;
     }
-    template <int Dim>
-    bool admissible(const Mat<Dim>&) const {
-        return true;
+    template <int Dim, class Number = double>
+    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
+        return always<Number>();
     }
     /// m.Q.m = mu + (lambda (1 - ln J) + mu)(m.g)^2 with g = F^-T N, |g|^2 = N.C^-1.N: exact in 2D.
-    template <int Dim>
-    double tangentModulus(const Mat<Dim>& C, const Fibres<Dim>&) const {
-        const VolumeChange<Dim> v(C);
-        const double volumetric = std::max(0., lambda() * (1 - v.log_j) + mu());
-        return mu() + volumetric * largestEigenvalueBound<Dim>(v.inverse);
+    template <int Dim, class Number = double>
+    Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {
+        const VolumeChange<Dim, Number> v(C);
+        using std::max;
+        const Number volumetric = max(Number(0), lambda() * (1 - v.log_j) + mu());
+        return mu() + volumetric * largestEigenvalueBound<Dim, Number>(v.inverse);
     }
 };
 

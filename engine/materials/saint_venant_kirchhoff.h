@@ -17,26 +17,29 @@ class SaintVenantKirchhoff final : public IsotropicSolid {
     explicit SaintVenantKirchhoff(const Parameters& p)
         : IsotropicSolid(ElasticLaw::saint_venant_kirchhoff, p) {}
 
-    template <int Dim>
-    Mat<Dim> stress(const Mat<Dim>& C, const Fibres<Dim>&) const {
-        const Mat<Dim> E = greenStrain<Dim>(C);
-        return lambda() * E.trace() * Mat<Dim>::Identity() + 2 * mu() * E;
+    template <int Dim, class Number = double>
+    MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {
+        using Matrix = MatOf<Dim, Number>;
+        const Matrix E = greenStrain<Dim, Number>(C);
+        return lambda() * E.trace() * Matrix::Identity() + 2 * mu() * E;
     }
     template <int Dim>
     double energy(const Mat<Dim>& C, const Fibres<Dim>&) const {
         const Mat<Dim> E = greenStrain<Dim>(C);
         return lambda() / 2 * E.trace() * E.trace() + mu() * E.squaredNorm();
     }
-    template <int Dim>
-    bool admissible(const Mat<Dim>&) const {
-        return true;
+    template <int Dim, class Number = double>
+    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
+        return always<Number>();
     }
     /// m.Q.m = (lambda + mu)(a.N)^2 + mu |a|^2 + N.S.N with a = F^T m, |a|^2 at most the largest
     /// eigenvalue of C.
-    template <int Dim>
-    double tangentModulus(const Mat<Dim>& C, const Fibres<Dim>& fibres) const {
-        const double pull = largestEigenvalueBound<Dim>(stress<Dim>(C, fibres));
-        return (lambda() + 2 * mu()) * largestEigenvalueBound<Dim>(C) + std::max(0., pull);
+    template <int Dim, class Number = double>
+    Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& fibres) const {
+        using std::max;
+        const Number pull = largestEigenvalueBound<Dim, Number>(stress<Dim, Number>(C, fibres));
+        return (lambda() + 2 * mu()) * largestEigenvalueBound<Dim, Number>(C) +
+               max(Number(0), pull);
     }
 };
 

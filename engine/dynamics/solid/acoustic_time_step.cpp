@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "dynamics/solid/fibres.h"
+#include "dynamics/solid/group.h"
 #include "materials/elastic.h"
 #include "materials/strain.h"
 
@@ -35,25 +36,26 @@ template <int Dim>
 double AcousticTimeStep<Dim>::estimate() {
     const Largest largest = withLaw(*solid_, [&](const auto& law) {
         const ParticleFibres<Dim> fibres(*body_, std::decay_t<decltype(law)>::uses_fibres);
+        const std::size_t n = body_->size();
         return parallelReduce(
-            body_->size(), Largest{},
+            groupCount(n), Largest{},
             [&](std::size_t begin, std::size_t end) {
-                Largest most;
-                for (std::size_t i = begin; i < end; ++i) {
-                    const Mat<Dim>& F = gradient_[i];
-                    const Mat<Dim> C = rightCauchyGreen<Dim>(F);
-                    const double modulus = law.template tangentModulus<Dim>(C, fibres[i]);
-                    most.modulus = std::max(most.modulus, modulus);
-                    most.speed2 = std::max(most.speed2, velocity_[i].squaredNorm());
-                    most.acceleration2 =
-                        std::max(most.acceleration2, acceleration_[i].squaredNorm());
+                Wide modulus = 0, speed2 = 0, acceleration2 = 0;
+                for (std::size_t number = begin; number < end; ++number) {
+                    const Group group = groupOf(number, n);
+                    const MatOf<Dim, Wide> C = rightCauchyGreen<Dim, Wide>(load(gradient_, group));
+                    modulus =
+                        max(modulus, law.template tangentModulus<Dim, Wide>(C, fibres[group]));
+                    speed2 = max(speed2, load(velocity_, group).squaredNorm());
+                    acceleration2 = max(acceleration2, load(acceleration_, group).squaredNorm());
                 }
-                return most;
+                return Largest{maxOf(modulus), maxOf(speed2), maxOf(acceleration2)};
             },
             [](const Largest& a, const Largest& b) -> Largest {
                 return {std::max(a.modulus, b.modulus), std::max(a.speed2, b.speed2),
                         std::max(a.acceleration2, b.acceleration2)};
-            });
+            },
+            128);
     });
     const double h = body_->kernel.smoothingLength();
     const double rho0 = solid_->density();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bodies/body.h"
+#include "dynamics/solid/group.h"
 #include "materials/elastic_solid.h"
 
 namespace sphinx::solid {
@@ -19,6 +20,10 @@ class ParticleFibres {
     Fibres<Dim> operator[](std::size_t i) const {
         if (!fibre_) return {};
         return {(*fibre_)[i], (*sheet_)[i]};
+    }
+    Fibres<Dim, Wide> operator[](const Group& group) const {
+        if (!fibre_) return {};
+        return {load(*fibre_, group), load(*sheet_, group)};
     }
 
  private:

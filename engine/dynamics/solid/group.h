@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/parallel.h"
+#include "core/records.h"
+#include "core/wide.h"
+#include "particles/field.h"
+
+#include <algorithm>
+
+// Loops over eight particles at a time.
+namespace sphinx::solid {
+
+/// Eight particles that stand one after the other, or what is left of them at the end of a body.
+struct Group {
+    std::size_t first;
+    std::size_t count;
+
+    std::size_t number() const { return first / lane_count; }
+};
+
+/// Groups of n particles.
+inline std::size_t groupCount(std::size_t n) { return (n + lane_count - 1) / lane_count; }
+inline Group groupOf(std::size_t number, std::size_t n) {
+    const std::size_t first = number * lane_count;
+    return {first, std::min<std::size_t>(lane_count, n - first)};
+}
+
+/// body(Group) for all groups of n particles.
+template <class Body>
+void parallelForGroups(std::size_t n, Body&& body) {
+    parallelFor(
+        groupCount(n), [&](std::size_t number) { body(groupOf(number, n)); },
+        default_grain / lane_count);
+}
+
+namespace detail {
+
+/// Records of a group. Lanes beyond the end of the body repeat its last particle.
+template <int Size>
+[[gnu::always_inline]] inline void load(const double* values, const Group& group, Lanes a[Size]) {
+    const double* p = values + Size * group.first;
+    if (group.count == lane_count) [[likely]]
+        return loadRecords<Size>(p, a);
+    double whole[Size * lane_count];
+    for (std::size_t k = 0; k < lane_count; ++k)
+        std::copy_n(p + Size * std::min(k, group.count - 1), Size, whole + Size * k);
+    loadRecords<Size>(whole, a);
+}
+template <int Size>
+[[gnu::always_inline]] inline void store(const Lanes a[Size], double* values, const Group& group) {
+    double* p = values + Size * group.first;
+    if (group.count == lane_count) [[likely]]
+        return storeRecords<Size>(a, p);
+    double whole[Size * lane_count];
+    storeRecords<Size>(a, whole);
+    std::copy_n(whole, Size * group.count, p);
+}
+
+}  // namespace detail
+
+/// A vector or a matrix by its components, column by column.
+template <int Rows, int Columns>
+inline Eigen::Matrix<Wide, Rows, Columns> wide(const Lanes* a) {
+    Eigen::Matrix<Wide, Rows, Columns> value;
+    std::copy_n(a, Rows * Columns, value.data());
+    return value;
+}
+/// That of particle k of the group.
+template <int Rows, int Columns>
+inline Eigen::Matrix<double, Rows, Columns> lane(const Eigen::Matrix<Wide, Rows, Columns>& value,
+                                                 std::size_t k) {
+    return value.unaryExpr([&](const Wide& a) { return a[k]; });
+}
+
+// Values of a group: those of a scalar field are Wide, of others VecOf<Dim, Wide> or MatOf<Dim,
+// Wide>.
+
+inline Wide load(const double* values, const Group& group) {
+    Lanes a;
+    detail::load<1>(values, group, &a);
+    return a;
+}
+inline Wide load(const Field<double>& field, const Group& group) {
+    return load(field.data(), group);
+}
+inline void store(const Wide& value, Field<double>& field, const Group& group) {
+    detail::store<1>(&value.at, field.data(), group);
+}
+template <int Rows, int Columns>
+[[gnu::always_inline]] inline auto load(const Field<Eigen::Matrix<double, Rows, Columns>>& field,
+                                        const Group& group) {
+    constexpr int size = Rows * Columns;
+    Lanes a[size];
+    detail::load<size>(field.data()->data(), group, a);
+    return wide<Rows, Columns>(a);
+}
+template <int Rows, int Columns>
+[[gnu::always_inline]] inline void store(const Eigen::Matrix<Wide, Rows, Columns>& value,
+                                         Field<Eigen::Matrix<double, Rows, Columns>>& field,
+                                         const Group& group) {
+    constexpr int size = Rows * Columns;
+    Lanes a[size];
+    for (int c = 0; c < size; ++c) a[c] = value.data()[c].at;
+    detail::store<size>(a, field.data()->data(), group);
+}
+
+}  // namespace sphinx::solid
