@@ -79,42 +79,40 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
         return grid;
     };
     const bool same = r.from == r.to;
+    NeighborList<Dim, double> list;
     buildList(cells(*r.from), cells(*r.to), same, commonKernel(*r.from, *r.to), world_->domain,
-              r.list);
+              list);
     const Field<double>& volume = r.to->particles.scalar(fields::volume);
     const auto& from = r.from->particles.vector(fields::initial_position);
     const auto& to = r.to->particles.vector(fields::initial_position);
-    r.gradient_sum.assign(r.from->size(), Vec<Dim>::Zero());
-    r.weight.assign(r.list.blocks.size() * lane_count, 0);
+    std::vector<typename ReferenceList<Dim>::Neighbor> neighbors;
     for (std::size_t i = 0; i < r.from->size(); ++i) {
-        const auto& range = r.list.ranges[i];
-        for (std::uint64_t b = range.first; b < range.first + range.blocks; ++b) {
-            auto& block = r.list.blocks[b];
+        const int lane = static_cast<int>(i % lane_count);
+        for (const auto& block : list.of(i)) {
             for (int k = 0; k < lane_count; ++k) {
+                const Index j = block.index[k];
                 Vec<Dim> g;
-                for (int c = 0; c < Dim; ++c) {
-                    block.gradient[c][k] *= volume[block.index[k]];
-                    g[c] = block.gradient[c][k];
-                }
+                for (int c = 0; c < Dim; ++c) g[c] = block.gradient[c][k] * volume[j];
                 if (g.isZero(0)) continue;
-                const Vec<Dim> R = world_->domain.difference(from[i], to[block.index[k]]);
+                const Vec<Dim> R = world_->domain.difference(from[i], to[j]);
                 // Each side bears half of a bond's energy, as far as it is material.
-                const double share = 0.5 * (r.from->share(i) + r.to->share(block.index[k]));
-                const double weight = share * g.norm() / R.norm();
-                r.gradient_sum[i] += g;
-                r.weight[b * lane_count + static_cast<std::size_t>(k)] = weight;
+                const double share = 0.5 * (r.from->share(i) + r.to->share(j));
+                neighbors.push_back({lane, j, g, share * g.norm() / R.norm()});
             }
         }
+        if (lane == lane_count - 1 || i + 1 == r.from->size()) {
+            r.list.append(neighbors, r.to->size());
+            neighbors.clear();
+        }
     }
+    r.list.finish();
     r.built = true;
 }
 
 template <int Dim>
 std::size_t Relations<Dim>::bytes() const {
     std::size_t sum = 0;
-    for (const auto& r : references_)
-        sum += r->list.bytes() + r->gradient_sum.capacity() * sizeof(Vec<Dim>) +
-               r->weight.capacity() * sizeof(double);
+    for (const auto& r : references_) sum += r->list.bytes();
     for (const auto& r : relations_) sum += r->list.bytes();
     for (const auto& [body, grid] : grids_) sum += grid.cells.bytes();
     return sum;

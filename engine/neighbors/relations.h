@@ -5,6 +5,7 @@
 #include "bodies/world.h"
 #include "neighbors/cell_grid.h"
 #include "neighbors/neighbor_list.h"
+#include "neighbors/reference_list.h"
 
 #include <map>
 #include <memory>
@@ -29,10 +30,7 @@ struct ReferenceRelation {
     Body<Dim>* from = nullptr;
     Body<Dim>* to = nullptr;
     bool built = false;
-    NeighborList<Dim, double> list;        ///< the gradients are multiplied by V_j: e_ij W'_ij V_j
-    AlignedVector<Vec<Dim>> gradient_sum;  ///< sum_j e_ij W'_ij V_j, 1/length
-    /// abs(W'_ij)/R_ij V_j of every place, times the mean share of both (Body::shares). 1/length^2
-    AlignedVector<double> weight;
+    ReferenceList<Dim> list;
 };
 
 /// All relations of a simulation and the cell grids they share, one grid per body.

@@ -38,21 +38,24 @@ class Surroundings {
             if (!body_.isImage(j)) f(j);
         });
     }
-    /// Of those around particle i, images included, the one with the largest share.
+    /// Of those around particle i, images included, the one with the largest share, i itself or
+    /// the one of the lowest number before its equals.
     Index mostMaterial(Index i) const {
         Index best = i;
         forAll(i, [&](Index j) {
-            if (body_.share(j) > body_.share(best)) best = j;
+            const double more = body_.share(j) - body_.share(best);
+            if (more > 0 || (more == 0 && best != i && j < best)) best = j;
         });
         return best;
     }
     /// Nearest to the point of those around particle i; i itself if there is none.
+    /// Of two the one of the lower number.
     Index nearest(Index i, const Vec<Dim>& point) const {
         Index best = i;
         double distance = infinity;
         forEach(i, [&](Index j) {
             const double d = offset(j, point).squaredNorm();
-            if (d >= distance) return;
+            if (d > distance || (d == distance && j > best)) return;
             distance = d;
             best = j;
         });
@@ -66,9 +69,7 @@ class Surroundings {
     template <class Function>
     void forAll(Index i, Function&& f) const {
         f(i);
-        std::uint32_t left = relation_.list.ranges[i].count;
-        for (const auto& block : relation_.list.of(i))
-            for (int k = 0; k < lane_count && left > 0; ++k, --left) f(block.index[k]);
+        relation_.list.forEach(i, [&](Index j, double) { f(j); });
     }
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     const Body<Dim>& body_;

@@ -11,6 +11,7 @@
 #include "materials/strain.h"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <atomic>
@@ -34,6 +35,9 @@ class FirstFailure {
     static constexpr std::size_t none = ~std::size_t{0};
     std::atomic<std::size_t> first_ = none;
 };
+
+Wide determinant(const MatOf<2, Wide>& a) { return a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0); }
+Wide determinant(const MatOf<3, Wide>& a) { return a.col(0).dot(a.col(1).cross(a.col(2))); }
 
 }  // namespace
 
@@ -72,34 +76,35 @@ void Deformation<Dim>::prepare() {
 }
 
 template <int Dim>
-Mat<Dim> Deformation<Dim>::difference(std::size_t i, const Vec<Dim>& own,
-                                      NeighborField values) const {
-    Mat<Dim> result = Mat<Dim>::Zero();
-    for (const Neighbors& n : neighbors_) {
-        Lanes sum[Dim][Dim] = {};
-        addOuter<Dim>(n.relation->list, i, (n.*values)->data(), sum);
-        const Mat<Dim> total = sumMatrix<Dim>(sum);
-        const Vec<Dim>& weight = n.relation->gradient_sum[i];
-        for (int d = 0; d < Dim; ++d)
-            for (int c = 0; c < Dim; ++c) result(c, d) += total(c, d) - own[c] * weight[d];
-    }
-    return result;
+MatOf<Dim, Wide> Deformation<Dim>::difference(const Group& group, const Field<Vec<Dim>>& own,
+                                              NeighborField values) const {
+    MatOf<Dim, Wide> sum = MatOf<Dim, Wide>::Zero();
+    const VecOf<Dim, Wide> a = load(own, group);
+    for (const Neighbors& n : neighbors_)
+        sum += differenceSum<Dim>(n.relation->list, group, a, *(n.*values));
+    return sum;
 }
 
 template <int Dim>
 void Deformation<Dim>::initialize() {
     prepare();
     FirstFailure lonely;
-    parallelFor(body_->size(), [&](std::size_t i) {
-        const Mat<Dim> moment = difference(i, initial_position_[i], &Neighbors::initial_position);
-        // 1 inside of a body, about a half at its surface; 0 for particles in a row or alone.
-        if (!(std::abs(moment.determinant()) > 1e-3)) {
-            lonely.at(i);
-            return;
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        const auto moments = difference(group, initial_position_, &Neighbors::initial_position);
+        const auto places = difference(group, position_, &Neighbors::position);
+        const auto velocities = difference(group, velocity_, &Neighbors::velocity);
+        for (std::size_t k = 0; k < group.count; ++k) {
+            const std::size_t i = group.first + k;
+            const Mat<Dim> moment = lane(moments, k);
+            // 1 inside of a body, about a half at its surface; 0 for particles in a row or alone.
+            if (!(std::abs(moment.determinant()) > 1e-3)) {
+                lonely.at(i);
+                continue;
+            }
+            correction_[i] = moment.inverse();
+            gradient_[i] = lane(places, k) * correction_[i];
+            rate_[i] = lane(velocities, k) * correction_[i];
         }
-        correction_[i] = moment.inverse();
-        gradient_[i] = difference(i, position_[i], &Neighbors::position) * correction_[i];
-        rate_[i] = difference(i, velocity_[i], &Neighbors::velocity) * correction_[i];
     });
     if (lonely.found())
         fail(lonely.first(),
@@ -118,38 +123,37 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
     const ParticleFibres<Dim> fibres(*body_, Law::uses_fibres);
     FirstFailure inverted;
     FirstFailure beyond;
-    parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Mat<Dim> rate = rate_[i];
-            const Mat<Dim> F = gradient_[i] + half * rate;
-            gradient_[i] = F;
-            const double share = body_->share(i);
-            if (share == 0) {
-                stress_[i].setZero();
-                continue;
-            }
-            const double J = F.determinant();
-            if (!(J > 0)) {
-                inverted.at(i);
-                continue;
-            }
-            const Mat<Dim> C = rightCauchyGreen<Dim>(F);
-            if (!law.template admissible<Dim>(C)) {
-                beyond.at(i);
-                continue;
-            }
-            Mat<Dim> S = law.template stress<Dim>(C, fibres[i]);
-            if (eta > 0) {
-                const Mat<Dim> FtR = F.transpose() * rate;
-                S += (0.5 * eta) * (FtR + FtR.transpose());
-            }
-            // The control's - c k_ij (F_i + F_j) R_ij has the form of a stress, k_ij R_ij = -g_ij.
-            const Mat<Dim> P = F * S;
-            Mat<Dim> T = P * correction_[i].transpose();
-            T -= control * F;
-            stress_[i] = share * T;
-            density_[i] = rho0 / J;
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        using Matrix = MatOf<Dim, Wide>;
+        const Matrix rate = load(rate_, group);
+        const Matrix F = load(gradient_, group) + half * rate;
+        store(F, gradient_, group);
+        const Wide J = determinant(F);
+        const Matrix C = rightCauchyGreen<Dim, Wide>(F);
+        const unsigned sound = maskBits((J > 0) & law.template admissible<Dim, Wide>(C));
+        for (std::size_t k = 0; sound != all_lanes && k < group.count; ++k) {
+            const std::size_t i = group.first + k;
+            if (sound >> k & 1 || body_->share(i) == 0) continue;
+            (J[k] > 0 ? beyond : inverted).at(i);
         }
+        Matrix S = law.template stress<Dim, Wide>(C, fibres[group]);
+        if (eta > 0) {
+            const Matrix FtR = F.transpose() * rate;
+            S += (0.5 * eta) * (FtR + FtR.transpose());
+        }
+        // The control's - c k_ij (F_i + F_j) R_ij has the form of a stress, k_ij R_ij = -g_ij.
+        const Matrix P = F * S;
+        Matrix T = P * load(correction_, group).transpose();
+        T -= control * F;
+        Wide density = rho0 / J;
+        if (!body_->shares.empty()) {
+            const Wide share = load(body_->shares.data(), group);
+            const LaneMask material = share != 0;
+            for (Wide& t : T.reshaped()) t = select(material, share * t, 0);
+            density = select(material, density, load(density_, group));
+        }
+        store(T, stress_, group);
+        store(density, density_, group);
     });
     if (inverted.found()) {
         const double J = gradient_[inverted.first()].determinant();
@@ -182,28 +186,27 @@ void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
 template <int Dim>
 void Deformation<Dim>::secondHalf(double dt) {
     const double half = 0.5 * dt;
-    parallelFor(body_->size(), [&](std::size_t i) {
-        const Mat<Dim> rate = difference(i, velocity_[i], &Neighbors::velocity) * correction_[i];
-        rate_[i] = rate;
-        gradient_[i] += half * rate;
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        const MatOf<Dim, Wide> rate =
+            difference(group, velocity_, &Neighbors::velocity) * load(correction_, group);
+        store(rate, rate_, group);
+        const MatOf<Dim, Wide> F = load(gradient_, group) + half * rate;
+        store(F, gradient_, group);
     });
 }
 
 template <int Dim>
-Vec<Dim> Deformation<Dim>::stressDivergence(std::size_t i) const {
-    Vec<Dim> result = Vec<Dim>::Zero();
+VecOf<Dim, Wide> Deformation<Dim>::stressDivergence(const Group& group) const {
+    VecOf<Dim, Wide> sum = VecOf<Dim, Wide>::Zero();
+    const MatOf<Dim, Wide> T = load(stress_, group);
+    const VecOf<Dim, Wide> r = load(position_, group);
     for (const Neighbors& n : neighbors_) {
-        Lanes sum[Dim] = {};
-        addProduct<Dim>(n.relation->list, i, n.stress->data(), sum);
-        result += stress_[i] * n.relation->gradient_sum[i];
+        const auto& list = n.relation->list;
+        sum += productSum<Dim>(list, group, T, *n.stress);
         const double control = body_->hourglass_modulus + n.relation->to->hourglass_modulus;
-        if (control > 0) {
-            addWeighted<Dim>(n.relation->list, n.relation->weight.data(), control, i, position_[i],
-                             n.position->data(), sum);
-        }
-        for (int c = 0; c < Dim; ++c) result[c] += sumLanes(sum[c]);
+        if (control > 0) sum += control * weightedSum<Dim>(list, group, r, *n.position);
     }
-    return result;
+    return sum;
 }
 
 template <int Dim>

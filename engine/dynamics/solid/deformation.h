@@ -4,6 +4,7 @@
 
 #include "core/clock.h"
 #include "dynamics/context.h"
+#include "dynamics/solid/group.h"
 #include "materials/elastic_solid.h"
 
 #include <vector>
@@ -40,9 +41,9 @@ class Deformation {
     void firstHalf(const Clock& clock, bool damping = true);
     /// dF/dt = (-sum_j v_ij (x) g_ij) B_i, then F += dt/2 dF/dt.
     void secondHalf(double dt);
-    /// sum_j (T_i + T_j) g_ij = div P at particle i, force/volume; guide (31) in the form that is
-    /// conjugate to (29). With hourglass control, its force as well.
-    Vec<Dim> stressDivergence(std::size_t i) const;
+    /// sum_j (T_i + T_j) g_ij = div P at the particles of a group, force/volume; guide (31) in the
+    /// form that is conjugate to (29). With hourglass control, its force as well.
+    VecOf<Dim, Wide> stressDivergence(const Group& group) const;
 
  private:
     struct Neighbors {
@@ -54,7 +55,8 @@ class Deformation {
     };
     using NeighborField = const Field<Vec<Dim>>* Neighbors::*;
     /// -sum_j (a_i - a_j) (x) g_ij
-    Mat<Dim> difference(std::size_t i, const Vec<Dim>& own, NeighborField values) const;
+    MatOf<Dim, Wide> difference(const Group& group, const Field<Vec<Dim>>& own,
+                                NeighborField values) const;
     template <class Law>
     void stress(const Law& law, const Clock& clock, bool damping);
     [[noreturn]] void fail(std::size_t i, const std::string& what, const Clock& clock) const;

@@ -20,18 +20,13 @@ double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& d
     const auto& from_start = from.vector(fields::initial_position);
     const auto& to_start = to.vector(fields::initial_position);
     double sum = 0;
-    std::size_t place = relation.list.ranges[i].first * lane_count;
-    for (const auto& block : relation.list.of(i))
-        for (int k = 0; k < lane_count; ++k, ++place) {
-            if (relation.weight[place] == 0) continue;
-            const Index j = block.index[k];
-            // The list has the mean share of both.
-            const double weight =
-                2 * share / (share + relation.to->share(j)) * relation.weight[place];
-            const Vec<Dim> R = domain.difference(from_start[i], to_start[j]);
-            const Vec<Dim> r = domain.difference(from.position()[i], to.position()[j]);
-            sum += weight * (r - F * R).squaredNorm();
-        }
+    relation.list.forEach(i, [&](Index j, double mean_weight) {
+        // The list has the mean share of both.
+        const double weight = 2 * share / (share + relation.to->share(j)) * mean_weight;
+        const Vec<Dim> R = domain.difference(from_start[i], to_start[j]);
+        const Vec<Dim> r = domain.difference(from.position()[i], to.position()[j]);
+        sum += weight * (r - F * R).squaredNorm();
+    });
     return sum;
 }
 

@@ -2,85 +2,98 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/pair_loop.h"
-#include "neighbors/relations.h"
+#include "dynamics/solid/group.h"
+#include "neighbors/reference_list.h"
 
-#include <cstring>
-
-// Sums over neighbors in the reference configuration, eight at a time.
-// gradient = e_ij W'_ij V_j, 1/length; unused places have a zero gradient.
+// Sums over neighbors in the reference configuration, of the eight particles of a group at a time.
 namespace sphinx::solid {
 
-/// Adds sum_j a_j (x) g_j over the neighbors of i to `sum`, a of eight particles at a time.
-template <int Dim>
-inline void addOuter(const NeighborList<Dim, double>& list, std::size_t i, const Vec<Dim>* values,
-                     Lanes sum[Dim][Dim]) {
-    for (const auto& block : list.of(i)) {
-        Lanes a[Dim];
-        gatherVectors<Dim>(values, block.index, a);
-        for (int d = 0; d < Dim; ++d) {
-            const Lanes g = loadLanes(block.gradient[d]);
-            for (int c = 0; c < Dim; ++c) sum[c][d] += a[c] * g;
-        }
-    }
-}
+/// One neighbor of each particle: eight that stand one after the other.
+struct Run {
+    const Index* first;
 
-/// The sums over the lanes of a matrix of them.
-template <int Dim>
-inline Mat<Dim> sumMatrix(const Lanes (&sum)[Dim][Dim]) {
-    Mat<Dim> result;
-    if constexpr (Dim == 2) {
-        const HalfLanes columns = sumLanes(sum[0][0], sum[1][0], sum[0][1], sum[1][1]);
-        std::memcpy(result.data(), &columns, sizeof columns);
-    } else {
-        for (int c = 0; c < Dim; ++c)
-            for (int d = 0; d < Dim; ++d) result(c, d) = sumLanes(sum[c][d]);
+    template <int Size>
+    void load(const double* values, Lanes a[Size]) const {
+        loadRecords<Size>(values + Size * std::size_t{*first}, a);
     }
-    return result;
-}
+};
+/// One neighbor of each particle, anywhere.
+struct Scattered {
+    const Index* index;
 
-/// Adds factor sum_j k_j (a_j - own) over the neighbors of i to `sum`, k the weights of their
-/// places. (Differences, so that rounding does not grow with the distance from the origin.)
-template <int Dim>
-inline void addWeighted(const NeighborList<Dim, double>& list, const double* weights, double factor,
-                        std::size_t i, const Vec<Dim>& own, const Vec<Dim>* values,
-                        Lanes sum[Dim]) {
-    const double* weight = weights + list.ranges[i].first * lane_count;
-    for (const auto& block : list.of(i)) {
-        Lanes a[Dim];
-        gatherVectors<Dim>(values, block.index, a);
-        const Lanes k = factor * loadLanes(weight);
-        for (int c = 0; c < Dim; ++c) sum[c] += k * (a[c] - own[c]);
-        weight += lane_count;
-    }
-}
-
-/// Adds sum_j T_j g_j over the neighbors of i to `sum`.
-template <int Dim>
-inline void addProduct(const NeighborList<Dim, double>& list, std::size_t i, const Mat<Dim>* values,
-                       Lanes sum[Dim]) {
-    const double* flat = values->data();
-    for (const auto& block : list.of(i)) {
-        if constexpr (Dim == 2) {
-            Lanes t[4];
-            gatherRecords<4>(flat, block.index, t);
-            const Lanes g0 = loadLanes(block.gradient[0]);
-            const Lanes g1 = loadLanes(block.gradient[1]);
-            sum[0] += t[0] * g0 + t[2] * g1;
-            sum[1] += t[1] * g0 + t[3] * g1;
-        } else {
-            for (int d = 0; d < Dim; ++d) {
-                const Lanes g = loadLanes(block.gradient[d]);
-                for (int c = 0; c < Dim; ++c) {
-                    const double* column = flat + Dim * d + c;
-                    const auto at = [&](int k) {
-                        return column[static_cast<std::size_t>(Dim * Dim) * block.index[k]];
-                    };
-                    sum[c] += g * Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
-                }
+    template <int Size>
+    void load(const double* values, Lanes a[Size]) const {
+        if constexpr (Size == 2)
+            gatherPairs(values, index, a);
+        else if constexpr (Size == 4)
+            gatherRecords<4>(values, index, a);
+        else
+            for (int c = 0; c < Size; ++c) {
+                const auto at = [&](int k) { return values[Size * std::size_t{index[k]} + c]; };
+                a[c] = Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
             }
-        }
     }
+};
+/// Of those neighbors.
+template <int Rows, int Columns, class Places>
+inline auto load(const Field<Eigen::Matrix<double, Rows, Columns>>& field, const Places& places) {
+    Lanes a[Rows * Columns];
+    places.template load<Rows * Columns>(field.data()->data(), a);
+    return wide<Rows, Columns>(a);
+}
+
+/// term(b, neighbors, g) for all blocks of a group: number of the block, Run or Scattered, and
+/// g = e_ij W'_ij V_j of the eight pairs, 1/length. Where a particle has no neighbor, g is 0.
+template <int Dim, class Term>
+inline void forEachBlock(const ReferenceList<Dim>& list, const Group& group, Term&& term) {
+    const auto& blocks = list.group(group.number());
+    const auto* gradients = list.gradients(blocks);
+    const Index* index = list.indices(blocks);
+    const auto gradient = [&](std::uint32_t b) {
+        VecOf<Dim, Wide> g;
+        for (int c = 0; c < Dim; ++c)
+            g[c] = loadLanes(gradients[b][static_cast<std::size_t>(c)].data());
+        return g;
+    };
+    std::uint32_t b = 0;
+    for (; b < blocks.runs; ++b, ++index) term(b, Run{index}, gradient(b));
+    for (; b < blocks.blocks; ++b, index += lane_count) term(b, Scattered{index}, gradient(b));
+}
+
+/// sum_j (a_j - a_i) (x) g_ij over the neighbors, a the values in their body.
+template <int Dim>
+inline MatOf<Dim, Wide> differenceSum(const ReferenceList<Dim>& list, const Group& group,
+                                      const VecOf<Dim, Wide>& own, const Field<Vec<Dim>>& values) {
+    MatOf<Dim, Wide> sum = MatOf<Dim, Wide>::Zero();
+    forEachBlock<Dim>(list, group, [&](auto, const auto& neighbors, const VecOf<Dim, Wide>& g) {
+        const VecOf<Dim, Wide> difference = load(values, neighbors) - own;
+        sum += difference * g.transpose();
+    });
+    return sum;
+}
+
+/// sum_j k_ij (a_j - a_i) over the neighbors, k the weights of the list. (Differences, so that
+/// rounding does not grow with the distance from the origin.)
+template <int Dim>
+inline VecOf<Dim, Wide> weightedSum(const ReferenceList<Dim>& list, const Group& group,
+                                    const VecOf<Dim, Wide>& own, const Field<Vec<Dim>>& values) {
+    VecOf<Dim, Wide> sum = VecOf<Dim, Wide>::Zero();
+    const auto* weights = list.weights(list.group(group.number()));
+    forEachBlock<Dim>(list, group, [&](auto b, const auto& neighbors, const VecOf<Dim, Wide>&) {
+        sum += Wide(loadLanes(weights[b].data())) * (load(values, neighbors) - own);
+    });
+    return sum;
+}
+
+/// sum_j (T_i + T_j) g_ij over the neighbors.
+template <int Dim>
+inline VecOf<Dim, Wide> productSum(const ReferenceList<Dim>& list, const Group& group,
+                                   const MatOf<Dim, Wide>& own, const Field<Mat<Dim>>& values) {
+    VecOf<Dim, Wide> sum = VecOf<Dim, Wide>::Zero();
+    forEachBlock<Dim>(list, group, [&](auto, const auto& neighbors, const VecOf<Dim, Wide>& g) {
+        sum += (load(values, neighbors) + own) * g;
+    });
+    return sum;
 }
 
 }  // namespace sphinx::solid

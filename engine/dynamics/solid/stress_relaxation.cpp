@@ -34,12 +34,14 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
     const double dt = clock.dt;
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
     deformation_.firstHalf(clock, damping_);
-    parallelFor(body_->size(), [&](std::size_t i) {
-        const Vec<Dim> force =
-            volume_[i] * deformation_.stressDivergence(i) + pressure_force_[i] + viscous_force_[i];
-        const Vec<Dim> a = force / mass_[i] + external_[i];
-        acceleration_[i] = a;
-        velocity_[i] += dt * a;
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        using Vector = VecOf<Dim, Wide>;
+        const Vector force = load(volume_, group) * deformation_.stressDivergence(group) +
+                             load(pressure_force_, group) + load(viscous_force_, group);
+        const Vector a = force / load(mass_, group) + load(external_, group);
+        store(a, acceleration_, group);
+        const Vector v = load(velocity_, group) + dt * a;
+        store(v, velocity_, group);
     });
 }
 

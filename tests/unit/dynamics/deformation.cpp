@@ -55,7 +55,9 @@ struct Patch {
         return sum;
     }
     Vec<Dim> force(std::size_t b, std::size_t i) {
-        return bodies[b]->particles.scalar(fields::volume)[i] * deformations[b].stressDivergence(i);
+        const solid::Group group = solid::groupOf(i / lane_count, bodies[b]->size());
+        return bodies[b]->particles.scalar(fields::volume)[i] *
+               solid::lane(deformations[b].stressDivergence(group), i % lane_count);
     }
     double volume() {
         double sum = 0;
@@ -81,7 +83,7 @@ double size(const Mat<Dim>& m) {
 template <int Dim>
 Mat<Dim> stressAt(const Body<Dim>& body, const Mat<Dim>& F) {
     const auto& law = dynamic_cast<const SaintVenantKirchhoff&>(*body.material);
-    return law.stress<Dim>(F.transpose() * F, {});
+    return law.stress<Dim>(Mat<Dim>(F.transpose() * F), {});
 }
 
 }  // namespace

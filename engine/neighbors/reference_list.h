@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/aligned.h"
+#include "core/types.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sphinx {
+
+/// Neighbors in the reference configuration, of eight particles at a time that stand one after the
+/// other (a group): a block holds one neighbor of each. On a lattice the neighbors of eight
+/// particles in a row stand in a row themselves: such a block, a run, is read without gathering. Of
+/// the blocks of a group the runs come first.
+template <int Dim>
+class ReferenceList {
+ public:
+    /// A neighbor of a particle of the group.
+    struct Neighbor {
+        int lane;           ///< place of the particle in its group
+        Index index;        ///< j
+        Vec<Dim> gradient;  ///< e_ij W'_ij V_j, 1/length; not 0
+        /// abs(W'_ij)/R_ij V_j times the mean share of both (Body::shares). 1/length^2
+        double weight;
+    };
+    using Lane = std::array<double, lane_count>;
+    struct Group {
+        std::uint64_t first_block = 0;
+        std::uint64_t first_index = 0;
+        std::uint32_t runs = 0;
+        std::uint32_t blocks = 0;  ///< runs included
+    };
+
+    /// The next group: all its neighbors, of a body of so many particles. Sorts them.
+    void append(std::vector<Neighbor>& neighbors, std::size_t particles);
+    /// Gives back what was allocated in vain.
+    void finish();
+
+    const Group& group(std::size_t number) const { return groups_[number]; }
+    /// Component by component, 0 where a particle has no neighbor in the block.
+    const std::array<Lane, Dim>* gradients(const Group& group) const {
+        return gradients_.data() + group.first_block;
+    }
+    const Lane* weights(const Group& group) const { return weights_.data() + group.first_block; }
+    /// Of a run the neighbor of the first particle, of every other block the neighbors of all.
+    const Index* indices(const Group& group) const { return indices_.data() + group.first_index; }
+
+    /// f(j, weight) for all neighbors of particle i.
+    template <class Function>
+    void forEach(std::size_t i, Function&& f) const {
+        const Group& group = groups_[i / lane_count];
+        const std::size_t lane = i % lane_count;
+        const Index* index = indices(group);
+        for (std::uint32_t b = 0; b < group.blocks; ++b) {
+            const bool run = b < group.runs;
+            const Index j = run ? static_cast<Index>(index[0] + lane) : index[lane];
+            index += run ? 1 : lane_count;
+            bool unused = true;
+            for (const Lane& component : gradients(group)[b]) unused &= component[lane] == 0;
+            if (!unused) f(j, weights(group)[b][lane]);
+        }
+    }
+    std::size_t bytes() const;
+
+ private:
+    /// A block without neighbors.
+    void appendBlock();
+    void put(const Neighbor& neighbor);
+
+    AlignedVector<Group> groups_;
+    AlignedVector<std::array<Lane, Dim>> gradients_;
+    AlignedVector<Lane> weights_;
+    AlignedVector<Index> indices_;
+};
+
+extern template class ReferenceList<2>;
+extern template class ReferenceList<3>;
+
+}  // namespace sphinx
