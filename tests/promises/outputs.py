@@ -48,7 +48,7 @@ class Outputs(Promise):
         self.any_outputs_same_physics("strip_2d", "strip")
 
     def test_elastic_3d(self):
-        self.any_outputs_same_physics("clamped_3d", "beam", end_time=0.3)
+        self.any_outputs_same_physics("clamped_3d", "beam")
 
     def test_no_outputs(self):
         case = self.case("splash_2d")

@@ -44,8 +44,10 @@ double AcousticTimeStep<Dim>::estimate() {
                 for (std::size_t number = begin; number < end; ++number) {
                     const Group group = groupOf(number, n);
                     const MatOf<Dim, Wide> C = rightCauchyGreen<Dim, Wide>(load(gradient_, group));
-                    modulus =
-                        max(modulus, law.template tangentModulus<Dim, Wide>(C, fibres[group]));
+                    Wide own = law.template tangentModulus<Dim, Wide>(C, fibres[group]);
+                    if (!body_->shares.empty())  // what a clamp covers whole has no stress
+                        own = select(load(body_->shares.data(), group) > 0, own, 0);
+                    modulus = max(modulus, own);
                     speed2 = max(speed2, load(velocity_, group).squaredNorm());
                     acceleration2 = max(acceleration2, load(acceleration_, group).squaredNorm());
                 }

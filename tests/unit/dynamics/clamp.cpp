@@ -125,6 +125,19 @@ TEST_CASE("the reaction of a clamped body is its weight when it has come to rest
     CHECK(std::abs(block.clamp.reaction()[1]) < 1e-6 * weight);
 }
 
+TEST_CASE("what a clamp covers whole has no say in the time step") {
+    Clamped<2> block(0);
+    solid::AcousticTimeStep<2> time_step(block.body, 0.6);
+    block.stepper.start();
+    const double step = time_step.estimate();
+    auto& gradient = block.body.particles.matrix(fields::deformation_gradient);
+    for (std::size_t i = 0; i < block.body.size(); ++i)
+        if (block.body.share(i) == 0) gradient[i] = Vec<2>(10, 1).asDiagonal();
+    CHECK(time_step.estimate() == step);
+    gradient[block.body.size() - 1] = Vec<2>(10, 1).asDiagonal();
+    CHECK(time_step.estimate() < 0.5 * step);
+}
+
 TEST_CASE("images stand behind the surface of the clamp, in its corners behind both") {
     ElasticScene<2> scene;
     Body<2>& body = scene.add("block", scene.lattice({8, 8}));
