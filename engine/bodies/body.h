@@ -23,7 +23,7 @@ struct BodyPart {
     std::string name;
     AlignedVector<Index> particles;  ///< ascending
     geometry::ShapePointer<Dim> shape;
-    bool mirrors = false;  ///< makes images, see Body::findImages
+    bool mirrors = false;  ///< a clamp: its particles are images, see Body::isImage
 };
 
 /// Particles with a material, a shape and a resolution.
@@ -41,9 +41,6 @@ struct Body {
     /// Neighbors that are one piece of material with this body (topology: bonded).
     std::vector<Body*> bonded;
     std::vector<BodyPart<Dim>> parts;
-    /// Not 0: the motion of the particle is that of others (constraint.clamp), it has no mass of
-    /// its own. Empty: there is none.
-    std::vector<std::uint8_t> images;
     /// Part of its cell that is elastic material, 0 to 1: what no clamp covers. Empty: 1.
     std::vector<double> shares;
     /// Stiffness of its hourglass control, pressure; see solid/deformation.h.
@@ -53,21 +50,17 @@ struct Body {
     std::uint64_t version = 0;
 
     std::size_t size() const { return particles.size(); }
-    bool isImage(std::size_t i) const { return !images.empty() && images[i] != 0; }
     double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
-    /// Finds images and shares anew, from the parts that mirror.
-    void findImages() {
-        images.clear();
+    /// The motion of the particle is that of others (constraint.clamp), it has no mass of its own.
+    bool isImage(std::size_t i) const { return share(i) < real_share; }
+    /// Finds the shares anew, from the parts that mirror.
+    void findShares() {
         shares.clear();
         for (const BodyPart<Dim>& part : parts) {
             if (!part.mirrors) continue;
-            images.resize(size());
             shares.resize(size(), 1);
-            for (std::size_t i = 0; i < size(); ++i) {
-                const double share = outside(part, i);
-                shares[i] = std::min(shares[i], share);
-                if (share < real_share) images[i] = 1;
-            }
+            for (std::size_t i = 0; i < size(); ++i)
+                shares[i] = std::min(shares[i], outside(part, i));
         }
     }
     /// How much of the particle's cell, one spacing wide, lies outside of a part: 0 to 1.
@@ -77,7 +70,7 @@ struct Body {
         constexpr double rounding = 1e-6;  // of the places of a lattice
         return share < rounding ? 0 : share > 1 - rounding ? 1 : share;
     }
-    /// A particle of which a clamp leaves less is an image: rows of a lattice then begin between a
+    /// A particle of which clamps leave less is an image: rows of a lattice then begin between a
     /// quarter and five quarters of a spacing outside of it.
     static constexpr double real_share = 0.75 - 1e-6;
     /// This body and those bonded to it: one piece of material.

@@ -9,6 +9,7 @@
 #include "case/simulation.h"
 #include "materials/elastic_solid.h"
 #include "neighbors/neighbor_list.h"
+#include "neighbors/reference_list.h"
 
 #include <fmt/format.h>
 #include <cmath>
@@ -43,9 +44,10 @@ double memory(const World<Dim>& world) {
         const auto n = static_cast<double>(body->size());
         sum += static_cast<double>(body->particles.bytes()) + 64 * n;
         const bool elastic = dynamic_cast<const ElasticSolid*>(body->material.get()) != nullptr;
-        const std::size_t block = elastic ? sizeof(typename NeighborList<Dim, double>::Block) +
-                                                lane_count * sizeof(double)
-                                          : sizeof(typename NeighborList<Dim>::Block);
+        const std::size_t block =  // of eight: gradient, weight, indices
+            elastic
+                ? (Dim + 1) * sizeof(typename ReferenceList<Dim>::Lane) + lane_count * sizeof(Index)
+                : sizeof(typename NeighborList<Dim>::Block);
         for (const auto* other : body->sees)
             if (other == body.get())
                 sum += n * expectedNeighbors(*body, *other) * 1.25 / lane_count *

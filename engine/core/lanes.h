@@ -117,15 +117,26 @@ inline HalfLanes sumLanes(Lanes a, Lanes b, Lanes c, Lanes d) {
            __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
 }
 
+/// Bit k is set where lane k of a comparison is true.
+inline unsigned maskBits(LaneMask mask) {
+#if defined(__AVX512DQ__)
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
+#else
+    unsigned bits = 0;
+    for (int k = 0; k < lane_count; ++k) bits |= mask[k] ? 1u << k : 0u;
+    return bits;
+#endif
+}
+/// maskBits() where a comparison is true in every lane.
+inline constexpr unsigned all_lanes = 0xff;
+
 /// Bit k is set where a[k] < b[k].
 inline unsigned lessBits(Lanes a, Lanes b) {
 #if defined(__AVX512F__)
     return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b),
                               _CMP_LT_OQ);
 #else
-    unsigned bits = 0;
-    for (int k = 0; k < lane_count; ++k) bits |= a[k] < b[k] ? 1u << k : 0u;
-    return bits;
+    return maskBits(a < b);
 #endif
 }
 /// Bit k is set where p[k] is not b.

@@ -9,19 +9,6 @@
 
 namespace sphinx {
 
-/// Bit k is set where lane k of a comparison is true.
-inline unsigned maskBits(LaneMask mask) {
-#if defined(__AVX512DQ__)
-    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask));
-#else
-    unsigned bits = 0;
-    for (int k = 0; k < lane_count; ++k) bits |= mask[k] ? 1u << k : 0u;
-    return bits;
-#endif
-}
-/// maskBits() where a comparison is true in every lane.
-inline constexpr unsigned all_lanes = 0xff;
-
 /// A number of each of eight particles that counts as one number, also in Eigen's matrices: what is
 /// written for any type of number, as the laws of materials, works for eight particles at a time.
 struct Wide {

@@ -57,6 +57,11 @@ class ElasticSolid : public Material {
     double density() const override { return density_; }
     /// eta of the Kelvin-Voigt stress S^D = eta/2 (dF/dt^T F + F^T dF/dt), guide (16).
     double damping() const { return damping_; }
+    /// That of laws without a limit.
+    template <int Dim, class Number = double>
+    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
+        return always<Number>();
+    }
     /// True when the law asks for the directions of each particle.
     virtual bool hasFibres() const { return false; }
 

@@ -72,10 +72,6 @@ class HolzapfelMuscle final : public ElasticSolid {
                 p_.a_f * grown(p_.b_f, s.i_f * s.i_f) + p_.a_s * grown(p_.b_s, s.i_s * s.i_s) +
                 p_.a_fs * grown(p_.b_fs, s.i_fs * s.i_fs));
     }
-    template <int Dim, class Number = double>
-    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
-        return always<Number>();
-    }
     /// The isotropic part is that of NeoHookean with mu = a exp(b psi), plus
     /// 2 b mu (m.(F - F^-T)N)^2; fibre and sheet share N: (N.f)^2 + (N.s)^2 <= 1.
     template <int Dim, class Number = double>

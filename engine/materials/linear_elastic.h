@@ -63,17 +63,11 @@ class LinearElastic final : public ElasticSolid {
     double energy(const Mat<Dim>& C, const Fibres<Dim>& fibres) const {
         return 0.5 * stress<Dim>(C, fibres).cwiseProduct(greenStrain<Dim>(C)).sum();
     }
-    template <int Dim, class Number = double>
-    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
-        return always<Number>();
-    }
-    /// m.Q.m = (a N):c:(a N) + N.S.N with a = F^T m, |a|^2 at most the largest eigenvalue of C.
+    /// m.Q.m = (a N):c:(a N) + N.S.N with a = F^T m.
     template <int Dim, class Number = double>
     Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& fibres) const {
-        using std::max;
-        const Number pull = largestEigenvalueBound<Dim, Number>(stress<Dim, Number>(C, fibres));
-        return longitudinal_modulus_ * largestEigenvalueBound<Dim, Number>(C) +
-               max(Number(0), pull);
+        return linearTangentBound<Dim, Number>(longitudinal_modulus_, C,
+                                               stress<Dim, Number>(C, fibres));
     }
 
  private:

@@ -26,10 +26,6 @@ class NeoHookean final : public IsotropicSolid {
         const double log_j = VolumeChange<Dim>(C).log_j;
         return mu() * (firstInvariantLessThree<Dim>(C) / 2 - log_j) + lambda() / 2 * log_j * log_j;
     }
-    template <int Dim, class Number = double>
-    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
-        return always<Number>();
-    }
     /// m.Q.m = mu + (lambda (1 - ln J) + mu)(m.g)^2 with g = F^-T N, |g|^2 = N.C^-1.N: exact in 2D.
     template <int Dim, class Number = double>
     Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {

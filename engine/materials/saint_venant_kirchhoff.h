@@ -28,18 +28,11 @@ class SaintVenantKirchhoff final : public IsotropicSolid {
         const Mat<Dim> E = greenStrain<Dim>(C);
         return lambda() / 2 * E.trace() * E.trace() + mu() * E.squaredNorm();
     }
-    template <int Dim, class Number = double>
-    Truth<Number> admissible(const MatOf<Dim, Number>&) const {
-        return always<Number>();
-    }
-    /// m.Q.m = (lambda + mu)(a.N)^2 + mu |a|^2 + N.S.N with a = F^T m, |a|^2 at most the largest
-    /// eigenvalue of C.
+    /// m.Q.m = (lambda + mu)(a.N)^2 + mu |a|^2 + N.S.N with a = F^T m.
     template <int Dim, class Number = double>
     Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& fibres) const {
-        using std::max;
-        const Number pull = largestEigenvalueBound<Dim, Number>(stress<Dim, Number>(C, fibres));
-        return (lambda() + 2 * mu()) * largestEigenvalueBound<Dim, Number>(C) +
-               max(Number(0), pull);
+        return linearTangentBound<Dim, Number>(lambda() + 2 * mu(), C,
+                                               stress<Dim, Number>(C, fibres));
     }
 };
 

@@ -86,4 +86,14 @@ inline Number largestEigenvalueBound(const MatOf<Dim, Number>& a) {
     return mean + sqrt(deviator * (Dim - 1) / Dim);
 }
 
+/// Bound of the tangent modulus of a law that is linear in E, which gives the stress S at C:
+/// longitudinal |a|^2 + N.S.N with a = F^T m, |a|^2 at most the largest eigenvalue of C. Pressure.
+template <int Dim, class Number>
+inline Number linearTangentBound(double longitudinal, const MatOf<Dim, Number>& C,
+                                 const MatOf<Dim, Number>& S) {
+    using std::max;
+    const Number pull = largestEigenvalueBound<Dim, Number>(S);
+    return longitudinal * largestEigenvalueBound<Dim, Number>(C) + max(Number(0), pull);
+}
+
 }  // namespace sphinx

@@ -16,7 +16,7 @@ struct ImageLink {
     double weight;
 };
 
-/// Links that make the images of a part (Body::images) follow the rest of their body, so that the
+/// Links that make the images of a part (Body::isImage) follow the rest of their body, so that the
 /// displacement is zero on the surface of the part's shape. The motion grows evenly from the
 /// surface to a point outside, and to the same size the other way inside. That point is the mirror
 /// point of the image in the surface between it and the nearest particle that is no image (the

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/lanes.h"
-#include "core/parallel.h"
-#include "particles/field.h"
+#include "dynamics/group.h"
 
 namespace sphinx::fluid {
 
@@ -12,24 +10,16 @@ namespace sphinx::fluid {
 /// running maximum waits for itself.
 template <int Dim>
 double largestSquaredSpeed(const Field<Vec<Dim>>& velocity) {
-    const auto larger = [](double a, double b) { return b > a ? b : a; };
+    const std::size_t n = velocity.size();
     return parallelReduce(
-        velocity.size(), 0.0,
+        groupCount(n), 0.0,
         [&](std::size_t begin, std::size_t end) {
-            Lanes most = {};
-            std::size_t i = begin;
-            for (; i + lane_count <= end; i += lane_count) {
-                double speed2[lane_count];
-                for (std::size_t k = 0; k < lane_count; ++k)
-                    speed2[k] = velocity[i + k].squaredNorm();
-                most = maxLanes(loadLanes(speed2), most);
-            }
-            double largest = 0;
-            for (int k = 0; k < lane_count; ++k) largest = larger(largest, most[k]);
-            for (; i < end; ++i) largest = larger(largest, velocity[i].squaredNorm());
-            return largest;
+            Wide largest = 0;
+            for (std::size_t number = begin; number < end; ++number)
+                largest = max(largest, load(velocity, groupOf(number, n)).squaredNorm());
+            return maxOf(largest);
         },
-        larger);
+        [](double a, double b) { return b > a ? b : a; }, group_block);
 }
 
 }  // namespace sphinx::fluid

@@ -7,6 +7,8 @@
 
 #include <Eigen/LU>
 
+#include <optional>
+
 namespace sphinx::force {
 
 template <int Dim>
@@ -28,11 +30,11 @@ void SurfacePressure<Dim>::findAreas() {
     const auto& start = particles.vector(fields::initial_position);
     const auto& volume = particles.scalar(fields::volume);
     area_.resize(part_.size());
+    std::optional<input::VectorAtTime<Dim>> given;
+    if (!given_normal_.empty()) given.emplace(given_normal_, 0);
     parallelFor(part_.size(), [&](std::size_t n) {
         const std::size_t i = part_[n];
-        const Vec<Dim> normal = given_normal_.empty()
-                                    ? part_.body().shape->normal(start[i])
-                                    : input::VectorAtTime<Dim>(given_normal_, 0)(start[i]);
+        const Vec<Dim> normal = given ? (*given)(start[i]) : part_.body().shape->normal(start[i]);
         area_[n] = volume[i] / thickness_ * normal.normalized();
     });
 }

@@ -3,8 +3,8 @@
 #include "dynamics/solid/acoustic_time_step.h"
 
 #include "core/parallel.h"
+#include "dynamics/group.h"
 #include "dynamics/solid/fibres.h"
-#include "dynamics/solid/group.h"
 #include "materials/elastic.h"
 #include "materials/strain.h"
 
@@ -57,7 +57,7 @@ double AcousticTimeStep<Dim>::estimate() {
                 return {std::max(a.modulus, b.modulus), std::max(a.speed2, b.speed2),
                         std::max(a.acceleration2, b.acceleration2)};
             },
-            128);
+            group_block);
     });
     const double h = body_->kernel.smoothingLength();
     const double rho0 = solid_->density();

@@ -4,7 +4,7 @@
 
 #include "core/clock.h"
 #include "dynamics/context.h"
-#include "dynamics/solid/group.h"
+#include "dynamics/group.h"
 #include "materials/elastic_solid.h"
 
 #include <vector>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bodies/body.h"
-#include "dynamics/solid/group.h"
+#include "dynamics/group.h"
 #include "materials/elastic_solid.h"
 
 namespace sphinx::solid {

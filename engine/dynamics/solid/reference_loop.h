@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/solid/group.h"
+#include "dynamics/group.h"
 #include "neighbors/reference_list.h"
 
 // Sums over neighbors in the reference configuration, of the eight particles of a group at a time.

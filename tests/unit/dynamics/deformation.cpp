@@ -55,9 +55,9 @@ struct Patch {
         return sum;
     }
     Vec<Dim> force(std::size_t b, std::size_t i) {
-        const solid::Group group = solid::groupOf(i / lane_count, bodies[b]->size());
+        const Group group = groupOf(i / lane_count, bodies[b]->size());
         return bodies[b]->particles.scalar(fields::volume)[i] *
-               solid::lane(deformations[b].stressDivergence(group), i % lane_count);
+               lane(deformations[b].stressDivergence(group), i % lane_count);
     }
     double volume() {
         double sum = 0;

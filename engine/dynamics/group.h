@@ -10,7 +10,7 @@
 #include <algorithm>
 
 // Loops over eight particles at a time.
-namespace sphinx::solid {
+namespace sphinx {
 
 /// Eight particles that stand one after the other, or what is left of them at the end of a body.
 struct Group {
@@ -26,6 +26,9 @@ inline Group groupOf(std::size_t number, std::size_t n) {
     const std::size_t first = number * lane_count;
     return {first, std::min<std::size_t>(lane_count, n - first)};
 }
+
+/// Groups that a reduction takes in one block.
+inline constexpr std::size_t group_block = 1024 / lane_count;
 
 /// body(Group) for all groups of n particles.
 template <class Body>
@@ -106,4 +109,4 @@ template <int Rows, int Columns>
     detail::store<size>(a, field.data()->data(), group);
 }
 
-}  // namespace sphinx::solid
+}  // namespace sphinx
