@@ -13,6 +13,9 @@ struct Clock {
     double time = 0;         ///< start of the current substep, case units
     double dt = 0;           ///< size of the current substep, case units
     std::int64_t steps = 0;  ///< substeps completed since the start of the run
+    /// Start of the interval that the layer covers, a step of the layer around it; for the
+    /// outermost layer of its own step. Set anew in every step, so no state.
+    double interval_start = 0;
 
     void transfer(Archive& archive) {
         archive.value("time", time);

@@ -7,6 +7,7 @@
 #include "dynamics/constraint/prescribed_motion.h"
 #include "dynamics/fluid/acoustic_time_step.h"
 #include "dynamics/fluid/advection_time_step.h"
+#include "dynamics/fluid/average_pressure.h"
 #include "dynamics/fluid/density_summation.h"
 #include "dynamics/fluid/pressure_relaxation.h"
 #include "dynamics/fluid/viscous_force.h"
@@ -36,6 +37,7 @@ void registerDynamics(input::Registry& registry) {
     constraint::declarePrescribedMotion(registry);
     fluid::declareAcousticTimeStep(registry);
     fluid::declareAdvectionTimeStep(registry);
+    fluid::declareAveragePressure(registry);
     fluid::declareDensitySummation(registry);
     fluid::declarePressureRelaxation(registry);
     fluid::declareViscousForce(registry);

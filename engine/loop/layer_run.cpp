@@ -92,11 +92,12 @@ void LayerRun::stepFreely() {
     const double dt = estimate();
     if (!(clock_.time + dt > clock_.time))
         fail(fmt::format("a time step of {} is too small to advance the time", dt));
+    clock_.interval_start = clock_.time;
     substep(dt, clock_.time + dt);
 }
 
 double LayerRun::cover(double from, double until) {
-    clock_.time = from;
+    clock_.time = clock_.interval_start = from;
     do {
         const TimedCall timed(tally_);
         const Substep next = fitSubstep(layer_.fit, clock_.time, until, estimate());

@@ -15,6 +15,7 @@ const std::vector<const FieldInfo*>& all() {
         &density_rate,
         &reference_density,
         &pressure,
+        &average_pressure,
         &acceleration,
         &external_acceleration,
         &normal,

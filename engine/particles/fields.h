@@ -24,6 +24,8 @@ inline constexpr FieldInfo density_rate{"density_rate", Rank::scalar, unit::dens
 inline constexpr FieldInfo reference_density{"reference_density", Rank::scalar, unit::density,
                                              "density at the start, for confined flows"};
 inline constexpr FieldInfo pressure{"pressure", Rank::scalar, unit::pressure, "pressure"};
+inline constexpr FieldInfo average_pressure{"average_pressure", Rank::scalar, unit::pressure,
+                                            "pressure of a fluid, averaged over acoustic steps"};
 inline constexpr FieldInfo acceleration{"acceleration", Rank::vector, unit::acceleration,
                                         "acceleration of a solid particle"};
 inline constexpr FieldInfo external_acceleration{

@@ -26,7 +26,7 @@ def measure(end, *settings, case="case.yaml"):
                      *settings)
     pressure, energy = run.series("pressure"), run.series("energy")
     total = energy["total"] / energy["total"][0]
-    p = np.nan_to_num(pressure["pressure"])  # no water, no pressure
+    p = np.nan_to_num(pressure["average_pressure"])  # no water, no pressure
     plateau = (pressure["time"] > 3.5) & (pressure["time"] < 5)
     return {
         "time": pressure["time"],

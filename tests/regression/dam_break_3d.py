@@ -32,12 +32,12 @@ def measure(spacing, end):
                       "outputs.front={type: reduce, every: {time: 0.05}, body: water, quantity: front_position}")
     pressure, energy = run.series("pressure"), run.series("energy")
     total = energy["total"] / energy["total"][0]
-    wet = np.nan_to_num(pressure["pressure_1"]) > 0.1
+    wet = np.nan_to_num(pressure["average_pressure_1"]) > 0.1
     plateau = (pressure["time"] > 3.5) & (pressure["time"] < 5)
     return {
         "fronts": list(zip(PLACES, front_times(run), front_times(flat))),
         "arrival": pressure["time"][np.argmax(wet)] if wet.any() else np.nan,
-        "plateau": np.nan_to_num(pressure["pressure_3"][plateau]).mean() if plateau.any() else np.nan,
+        "plateau": np.nan_to_num(pressure["average_pressure_3"][plateau]).mean() if plateau.any() else np.nan,
         "rise": (total - np.minimum.accumulate(total)).max(),
         "end": total[-1],
     }

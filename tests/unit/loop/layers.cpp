@@ -34,6 +34,19 @@ TEST_CASE("lines run in order, each with the clock of its own layer") {
     CHECK(run.find("none") == nullptr);
 }
 
+TEST_CASE("a method sees where the interval of its layer starts") {
+    std::vector<double> inside, outside;
+    Acting inner_line([&](const Clock& clock) { inside.push_back(clock.interval_start); });
+    Acting outer_line([&](const Clock& clock) { outside.push_back(clock.interval_start); });
+    const Layer inner = fixedLayer("inner", 0.5, {call("inner_line", inner_line)});
+    const Layer outer = fixedLayer("outer", 1.0, {{inner}, call("outer_line", outer_line)});
+    LayerRun run(outer, 3.0);
+    run.stepFreely();
+    run.stepFreely();
+    CHECK(inside == std::vector<double>{3, 3, 4, 4});
+    CHECK(outside == std::vector<double>{3, 4});
+}
+
 TEST_CASE("dt is evaluated once at the start of each substep") {
     Journal journal;
     Recorder act("act", journal);
