@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "neighbors/cell_grid.h"
 
+#include "core/errors.h"
 #include "core/parallel.h"
 
 #include <algorithm>
@@ -11,17 +12,27 @@ namespace sphinx {
 
 template <int Dim>
 void CellGrid<Dim>::build(const Vec<Dim>* position, std::size_t n, double cell_size) {
-    const auto bounds = parallelReduce(
-        n, Box<Dim>{},
+    struct Extent {
+        Box<Dim> box;
+        double zero = 0;  // unless a position is not finite
+    };
+    const Extent extent = parallelReduce(
+        n, Extent{},
         [&](std::size_t begin, std::size_t end) {
-            Box<Dim> b;
-            for (std::size_t i = begin; i < end; ++i) b.include(position[i]);
-            return b;
+            Extent e;
+            for (std::size_t i = begin; i < end; ++i) {
+                e.box.include(position[i]);
+                e.zero += 0 * position[i].sum();
+            }
+            return e;
         },
-        [](Box<Dim> a, const Box<Dim>& b) {
-            a.include(b);
+        [](Extent a, const Extent& b) {
+            a.box.include(b.box);
+            a.zero += b.zero;
             return a;
         });
+    if (extent.zero != 0) throw PhysicsError("the position of a particle is not a finite number");
+    const Box<Dim>& bounds = extent.box;
     order_.resize(n);
     cell_of_.resize(n);
     if (n == 0) {

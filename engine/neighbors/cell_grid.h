@@ -20,7 +20,8 @@ struct alignas(32) Site {
 template <int Dim>
 class CellGrid {
  public:
-    /// Bins n particles into cells of the given size over their bounding box.
+    /// Bins n particles into cells of the given size over their bounding box. Throws PhysicsError
+    /// when a position is not finite.
     void build(const Vec<Dim>* position, std::size_t n, double cell_size);
 
     std::size_t particles() const { return order_.size(); }

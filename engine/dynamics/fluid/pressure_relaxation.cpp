@@ -66,6 +66,7 @@ void PressureRelaxation<Dim>::firstHalf(double dt) {
     after_.resize(body_->size());
     predict(dt);
     withRiemann(riemann_, [&]<Riemann R>() { momentum<R>(dt); });
+    ++body_->version;
 }
 
 template <int Dim>

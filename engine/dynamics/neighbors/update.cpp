@@ -38,11 +38,14 @@ void Update<Dim>::keepInside(Body<Dim>& body, const Clock& clock) {
         const double lower = domain.bounds.lower[k];
         const double upper = domain.bounds.upper[k];
         const double period = upper - lower;
-        parallelFor(body.size(), [&](std::size_t i) {
+        const auto wrapped = parallelSum(body.size(), [&](std::size_t i) {
             double& x = position[i][k];
+            const double before = x;
             if (x < lower) x += period;
             if (x >= upper) x -= period;
+            return x == before ? 0L : 1L;
         });
+        if (wrapped > 0) ++body.version;
     }
     // A wall goes where its motion is prescribed.
     const bool wall = dynamic_cast<const Rigid*>(body.material.get()) != nullptr;

@@ -43,6 +43,7 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
         const Vector v = load(velocity_, group) + dt * a;
         store(v, velocity_, group);
     });
+    ++body_->version;
 }
 
 template <int Dim>

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "neighbors/list_builder.h"
 
+#include "core/errors.h"
+
 #include <catch2/catch.hpp>
+#include <limits>
 #include <random>
 #include <set>
 #include <thread>
@@ -107,4 +110,14 @@ TEST_CASE("a thread whose first cells have nothing near them builds empty lists"
     }).join();
     REQUIRE(list.ranges.size() == from.size());
     for (const auto& range : list.ranges) REQUIRE(range.count == 0);
+}
+
+TEST_CASE("positions that are not finite make no cells") {
+    std::vector<Vec<2>> position(100, Vec<2>(0.5, 0.25));
+    CellGrid<2> grid;
+    grid.build(position.data(), position.size(), 0.1);
+    CHECK(grid.cells() == 1);
+    position[37][1] =
+        GENERATE(std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN());
+    CHECK_THROWS_AS(grid.build(position.data(), position.size(), 0.1), PhysicsError);
 }
