@@ -15,16 +15,15 @@ ForceSource<Dim>::ForceSource(const Body<Dim>& solid,
                               Relations<Dim>& relations, const input::UnitSystem& units)
     : solid_(&solid), relations_(&relations) {
     for (const fluid::SolidLoad<Dim>* load : loads) {
-        const auto same = [&](const FluidLoads& one) {
-            return one.relation.from == &load->fluid();
-        };
+        const auto same = [&](const FluidLoads& one) { return one.own.from == &load->fluid(); };
         auto place = std::find_if(fluids_.begin(), fluids_.end(), same);
         if (place == fluids_.end()) {
             FluidLoads& fluid = fluids_.emplace_back();
-            fluid.relation.from = &load->fluid();
+            fluid.own.from = &load->fluid();
             // A list only reads both of its bodies.
-            fluid.relation.to = const_cast<Body<Dim>*>(&solid);
-            fluid.relation.list.keep_distance = true;
+            fluid.own.to = const_cast<Body<Dim>*>(&solid);
+            fluid.own.list.keep_distance = true;
+            fluid.acting = &relations.relation(*fluid.own.from, *fluid.own.to);
             place = fluids_.end() - 1;
         }
         place->loads.push_back(load);
@@ -37,14 +36,22 @@ ForceSource<Dim>::ForceSource(const Body<Dim>& solid,
 }
 
 template <int Dim>
+const NeighborList<Dim>& ForceSource<Dim>::listOf(FluidLoads& fluid) const {
+    if (fluid.acting->namesParticles() && fluid.acting->list.keep_distance)
+        return fluid.acting->list;
+    relations_->update(fluid.own);
+    return fluid.own.list;
+}
+
+template <int Dim>
 void ForceSource<Dim>::sample(const Clock&, std::span<double> row) {
     Vec<Dim> pressure = Vec<Dim>::Zero();
     Vec<Dim> viscous = Vec<Dim>::Zero();
     for (FluidLoads& fluid : fluids_) {
-        relations_->update(fluid.relation);
+        const NeighborList<Dim>& list = listOf(fluid);
         const auto add = [&](fluid::LoadKind kind, Vec<Dim>& sum) {
-            if (const auto* load = fluid::presentLoad(fluid.loads, *fluid.relation.from, kind))
-                sum += load->forceOn(*solid_, fluid.relation.list);
+            if (const auto* load = fluid::presentLoad(fluid.loads, *fluid.own.from, kind))
+                sum += load->forceOn(*solid_, list);
         };
         add(fluid::LoadKind::pressure, pressure);
         add(fluid::LoadKind::viscous, viscous);

@@ -11,10 +11,10 @@
 
 namespace sphinx::io {
 
-/// Force of all fluids on a solid at the present positions, velocities and pressures: the part by
-/// pressure, the part by viscosity, and their sum. The pair terms are those of the methods that act
-/// (fluid/solid_load.h), on neighbor lists of their own, because lists of the loop may be older
-/// and must not change by being looked at.
+/// Force of all fluids on a solid at the present velocities and pressures: the part by pressure,
+/// the part by viscosity, and their sum. The pair terms and lists are those of the methods that act
+/// (fluid/solid_load.h): within an advection step, in which lists stay as they are, the force is
+/// the one that the fluid feels. After particles were sorted or lost it takes a list of its own.
 template <int Dim>
 class ForceSource final : public SeriesSource {
  public:
@@ -26,9 +26,12 @@ class ForceSource final : public SeriesSource {
 
  private:
     struct FluidLoads {
-        Relation<Dim> relation;  // of the fluid to the solid
+        const Relation<Dim>* acting;  // of the fluid to the solid
+        Relation<Dim> own;            // the same, where the acting one cannot be read
         std::vector<const fluid::SolidLoad<Dim>*> loads;
     };
+
+    const NeighborList<Dim>& listOf(FluidLoads& fluid) const;
 
     const Body<Dim>* solid_;
     Relations<Dim>* relations_;

@@ -45,6 +45,8 @@ void Relations<Dim>::update(Relation<Dim>& r) {
               world_->domain, r.list);
     r.from_version = r.from->version;
     r.to_version = r.to->version;
+    r.from_arrangement = r.from->particles.arrangement();
+    r.to_arrangement = r.to->particles.arrangement();
 }
 
 template <int Dim>

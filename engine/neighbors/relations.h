@@ -21,6 +21,14 @@ struct Relation {
     NeighborList<Dim> list;
     std::uint64_t from_version = ~std::uint64_t{0};  ///< versions of the bodies when last built
     std::uint64_t to_version = ~std::uint64_t{0};
+    std::uint64_t from_arrangement = ~std::uint64_t{0};  ///< of their particles, likewise
+    std::uint64_t to_arrangement = ~std::uint64_t{0};
+
+    /// The list still names the particles that were meant, wherever they may have moved.
+    bool namesParticles() const {
+        return from_arrangement == from->particles.arrangement() &&
+               to_arrangement == to->particles.arrangement();
+    }
 };
 
 /// Neighbors in the reference configuration of an elastic body, in itself or in a body that is one

@@ -14,6 +14,7 @@ ParticleSet<Dim>::ParticleSet() {
 
 template <int Dim>
 void ParticleSet<Dim>::append(std::size_t n) {
+    ++arrangement_;
     const std::size_t old = size_;
     size_ += n;
     capacity_ = std::max(capacity_, size_);
@@ -24,6 +25,7 @@ void ParticleSet<Dim>::append(std::size_t n) {
 template <int Dim>
 void ParticleSet<Dim>::remove(const std::vector<Index>& particles) {
     if (particles.empty()) return;
+    ++arrangement_;
     std::size_t to = particles.front();
     std::size_t next = 0;
     for (std::size_t from = to; from < size_; ++from) {
@@ -40,12 +42,14 @@ void ParticleSet<Dim>::remove(const std::vector<Index>& particles) {
 
 template <int Dim>
 void ParticleSet<Dim>::permute(const AlignedVector<Index>& order) {
+    ++arrangement_;
     assert(order.size() == size_);
     for (auto& field : fields_) field->permute(order);
 }
 
 template <int Dim>
 void ParticleSet<Dim>::restore(std::size_t n, std::int64_t next_id) {
+    ++arrangement_;
     size_ = n;
     capacity_ = std::max(capacity_, size_);
     next_id_ = next_id;

@@ -4,6 +4,7 @@
 
 #include "particles/fields.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -29,6 +30,8 @@ class ParticleSet {
     /// Makes room for exactly n particles and the id counter; for reading a restart.
     void restore(std::size_t n, std::int64_t next_id);
     std::int64_t nextId() const { return next_id_; }
+    /// Counts what gives particles other places in memory: append, remove, permute, restore.
+    std::uint64_t arrangement() const { return arrangement_; }
 
     /// The field, created (zero) if it is not there yet. Asserts that rank and type agree.
     Field<double>& scalar(const FieldInfo& info);
@@ -54,6 +57,7 @@ class ParticleSet {
     std::size_t size_ = 0;
     std::size_t capacity_ = 0;
     std::int64_t next_id_ = 0;
+    std::uint64_t arrangement_ = 0;
     std::vector<std::unique_ptr<FieldBase>> fields_;
     Field<std::int64_t>* id_ = nullptr;
     Field<Vec<Dim>>* position_ = nullptr;

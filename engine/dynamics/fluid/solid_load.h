@@ -25,7 +25,7 @@ class SolidLoad {
     /// Time of the step in which it acted last; without one: minus infinity.
     double lastTime() const { return last_time_; }
     /// Sum of the forces on the solid at the present state; zero when the method does not act on
-    /// it. `list`: the fluid's neighbors in the solid at the present positions, with distances.
+    /// it. `list`: the fluid's neighbors in the solid, with distances.
     virtual Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const = 0;
     /// Adds to `force` what each particle of the solid gets, exactly minus what the fluid has felt
     /// in its last sum. `list`: the solid's neighbors in the fluid that belong to the fluid's in
