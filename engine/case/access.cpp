@@ -68,4 +68,14 @@ std::vector<FieldAccess> resolveAccesses(const Case& model, const Component& met
     return resolved;
 }
 
+bool isAccessed(const Case& model, const Body& body, std::string_view field) {
+    for (const Component& method : model.dynamics) {
+        const int actions = static_cast<int>(method.declaration->actions().size());
+        for (int action = 0; action < actions; ++action)
+            for (const FieldAccess& access : resolveAccesses(model, method, action))
+                if (access.body == body.name && access.field == field) return true;
+    }
+    return false;
+}
+
 }  // namespace sphinx::model

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/initial_values.h"
 
+#include "case/access.h"
 #include "case/fibres.h"
 #include "case/parts.h"
 #include "core/parallel.h"
@@ -56,9 +57,13 @@ std::vector<std::string> initialFields(const Case& model, const Body& body) {
                 "mass",     "volume",  "pressure"};
     std::vector<std::string> names{"velocity", "acceleration", "density", "mass", "volume"};
     if (hasFibres(model, body)) names.insert(names.end(), {"fibre", "sheet"});
-    if (isElastic(model, body))
-        names.insert(names.end(), {"external_acceleration", "pressure_force", "viscous_force",
-                                   "average_velocity", "average_acceleration"});
+    if (isElastic(model, body)) {
+        names.emplace_back("average_velocity");
+        // Zero at first, where a method has them at all.
+        for (const char* name :
+             {"external_acceleration", "pressure_force", "viscous_force", "average_acceleration"})
+            if (isAccessed(model, body, name)) names.emplace_back(name);
+    }
     if (keepsInitialPosition(model, body)) names.emplace_back("initial_position");
     return names;
 }

@@ -4,30 +4,11 @@
 
 #include "case/access.h"
 
-#include <algorithm>
-
 namespace sphinx::model {
-namespace {
-
-bool readsInitialPosition(const Case& model, const Component& method, const Body& body) {
-    const int actions = static_cast<int>(method.declaration->actions().size());
-    for (int action = 0; action < actions; ++action) {
-        const auto accesses = resolveAccesses(model, method, action);
-        if (std::any_of(accesses.begin(), accesses.end(), [&](const FieldAccess& access) {
-                return access.body == body.name && access.field == fields::initial_position.name;
-            }))
-            return true;
-    }
-    return false;
-}
-
-}  // namespace
 
 bool keepsInitialPosition(const Case& model, const Body& body) {
     return isElastic(model, body) || !body.parts.empty() ||
-           std::any_of(model.dynamics.begin(), model.dynamics.end(), [&](const Component& method) {
-               return readsInitialPosition(model, method, body);
-           });
+           isAccessed(model, body, fields::initial_position.name);
 }
 
 template <int Dim>
