@@ -22,7 +22,7 @@ class DerivedOutput final : public sphinx::Output {
         fields_.refresh();
         output_->write(clock);
     }
-    bool samplesEveryStep() const override { return output_->samplesEveryStep(); }
+    std::optional<std::string> sampledLayer() const override { return output_->sampledLayer(); }
     void sample(const Clock& clock) override {
         fields_.refresh();
         output_->sample(clock);

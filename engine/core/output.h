@@ -5,6 +5,7 @@
 #include "core/archive.h"
 #include "core/clock.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,10 @@ class Output {
     virtual std::vector<OutputFile> files() const { return {}; }
     /// Writes the state at clock.time (clock.steps outermost steps are complete). Throws FileError.
     virtual void write(const Clock& clock) = 0;
-    /// True for an output that looks at every step (time averages): sample() is called after each
-    /// outermost step, before any output writes.
-    virtual bool samplesEveryStep() const { return false; }
+    /// The layer after each of whose substeps sample() is called (time averages), with that layer's
+    /// clock: its name, empty for the outermost, or nothing for an output that never samples. After
+    /// an outermost step all sample before any writes.
+    virtual std::optional<std::string> sampledLayer() const { return {}; }
     virtual void sample(const Clock&) {}
     /// State that a restart must carry (frames written so far, running means). A resumed run goes
     /// on in the same files, without writing a frame twice.

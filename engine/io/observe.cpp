@@ -89,12 +89,11 @@ namespace {
 
 enum class ObservedQuantity { surface_elevation };
 
-struct ObserveParameters {
+struct ObserveParameters : MeanParameters {
     input::Name observer;
     std::vector<input::Name> fields;
     std::optional<ObservedQuantity> quantity;
     bool mean = false;
-    bool average = false;
 };
 
 template <int Dim>
@@ -131,7 +130,7 @@ std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Com
                    "the elevation of the surface is observed at points fixed in "
                    "space, but '" +
                        observer.name + "' follows the material");
-        return makeRowsOutput(component, context, {p.average, "surface_elevation"},
+        return makeRowsOutput(component, context, {p, "surface_elevation"},
                               makeElevationSource(observer, p.observer.place, context));
     }
     std::vector<std::vector<FieldBase*>> fields = observedFields(p, observer);
@@ -142,7 +141,7 @@ std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Com
     else
         weights = std::make_unique<ObserveWeights<Dim>>(observer, context.relations);
     return makeRowsOutput(component, context,
-                          {p.average, follows ? "points of the material" : "points in space"},
+                          {p, follows ? "points of the material" : "points in space"},
                           std::make_unique<ObserveSource<Dim>>(
                               std::move(weights), std::move(fields), p.mean, context.units));
 }
@@ -170,10 +169,7 @@ void declareObserve(input::Registry& registry) {
                "something else than fields");
     d.optional("mean", &P::mean, input::boolean(),
                "one mean over all points, those without a particle near left out: a sensor's area");
-    d.optional(
-        "average", &P::average, input::boolean(),
-        "rows are means, over the ends of outermost steps since the row before, instead of values "
-        "at an instant");
+    declareMeans(d);
     d.check("observer", [](const P& p) -> std::string {
         return p.fields.empty() == p.quantity.has_value() ? ""
                                                           : "an observer needs either 'fields' or "

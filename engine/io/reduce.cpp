@@ -24,11 +24,10 @@ enum class Reduced {
 
 enum class Axis { x, y, z };
 
-struct ReduceParameters {
+struct ReduceParameters : MeanParameters {
     input::Name body;
     Reduced quantity = Reduced::mechanical_energy;
     std::optional<Axis> axis;
-    bool average = false;
 };
 
 template <int Dim>
@@ -85,20 +84,16 @@ void declareReduce(input::Registry& registry) {
     d.optional("axis", &P::axis,
                input::choice<Axis>({{"x", Axis::x, ""}, {"y", Axis::y, ""}, {"z", Axis::z, ""}}),
                "of front_position; default x");
-    d.optional(
-        "average", &P::average, input::boolean(),
-        "rows are means, over the ends of outermost steps since the row before, instead of values "
-        "at an instant");
+    declareMeans(d);
     d.check("axis", [](const P& p) -> std::string {
         return p.axis && p.quantity != Reduced::front_position ? "'axis' is for front_position"
                                                                : "";
     });
     d.builder(outputFactory<P>([]<int Dim>(const P& p, const input::Component& component,
                                            const OutputContext<Dim>& context) {
-        return makeRowsOutput(
-            component, context,
-            {p.average, "reduction " + std::to_string(static_cast<int>(p.quantity))},
-            makeSource(p, component, context));
+        return makeRowsOutput(component, context,
+                              {p, "reduction " + std::to_string(static_cast<int>(p.quantity))},
+                              makeSource(p, component, context));
     }));
 }
 

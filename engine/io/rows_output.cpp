@@ -69,14 +69,29 @@ class RowsOutput::Rows final : public SeriesSource {
     std::int64_t samples_ = 0;
 };
 
+namespace {
+
+std::optional<std::string> sampledLayer(const MeanParameters& mean) {
+    return mean.average ? std::optional(mean.layer.text) : std::nullopt;
+}
+
+/// A mean over other steps than before the restart begins anew.
+std::string formOf(const RowsParameters& parameters) {
+    const std::optional<std::string> layer = sampledLayer(parameters.mean);
+    if (!layer) return parameters.form;
+    return (layer->empty() ? "mean of " : "mean over " + *layer + " of ") + parameters.form;
+}
+
+}  // namespace
+
 RowsOutput::RowsOutput(SeriesParameters series, RowsParameters parameters,
                        std::unique_ptr<SeriesSource> source)
-    : RowsOutput(std::move(series), parameters.average,
-                 std::make_unique<Rows>(std::move(source), (parameters.average ? "mean of " : "") +
-                                                               parameters.form)) {}
+    : RowsOutput(std::move(series), io::sampledLayer(parameters.mean),
+                 std::make_unique<Rows>(std::move(source), formOf(parameters))) {}
 
-RowsOutput::RowsOutput(SeriesParameters series, bool average, std::unique_ptr<Rows> rows)
-    : average_(average), rows_(rows.get()), series_(std::move(series), std::move(rows)) {}
+RowsOutput::RowsOutput(SeriesParameters series, std::optional<std::string> layer,
+                       std::unique_ptr<Rows> rows)
+    : layer_(std::move(layer)), rows_(rows.get()), series_(std::move(series), std::move(rows)) {}
 
 RowsOutput::~RowsOutput() = default;
 

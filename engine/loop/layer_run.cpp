@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace sphinx::loop {
 
@@ -19,7 +20,7 @@ LayerRun::LayerRun(const Layer& layer, double start_time) : LayerRun(layer, star
     connectTriggers(*this);
 }
 
-LayerRun::LayerRun(const Layer& layer, double start_time, const LayerRun* parent)
+LayerRun::LayerRun(const Layer& layer, double start_time, LayerRun* parent)
     : layer_(layer), parent_(parent) {
     clock_.time = start_time;
     estimate_tallies_.resize(layer.dt.size());
@@ -62,6 +63,24 @@ const LayerRun* LayerRun::find(std::string_view name) const {
         if (const auto* inner = std::get_if<std::unique_ptr<LayerRun>>(&line))
             if (const LayerRun* found = (*inner)->find(name)) return found;
     return nullptr;
+}
+
+LayerRun* LayerRun::find(std::string_view name) {
+    return const_cast<LayerRun*>(std::as_const(*this).find(name));
+}
+
+void LayerRun::sampleSubsteps(std::function<void(const Clock&)> sampler) {
+    samplers_.push_back(std::move(sampler));
+}
+
+void LayerRun::sample() {
+    Tally cost;
+    {
+        const TimedCall timed(cost);
+        for (const auto& sampler : samplers_) sampler(clock_);
+    }
+    for (LayerRun* layer = this; layer; layer = layer->parent_)
+        layer->tally_.nanoseconds -= cost.nanoseconds;
 }
 
 void LayerRun::fail(const std::string& message) const {
@@ -125,6 +144,7 @@ void LayerRun::substep(double dt, double end) {
     }
     clock_.time = end;
     ++clock_.steps;
+    if (!samplers_.empty()) sample();
 }
 
 bool LayerRun::due(CallRun& line) const {

@@ -6,6 +6,7 @@
 #include "loop/plan.h"
 #include "loop/tally.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -44,12 +45,17 @@ class LayerRun {
 
     /// This layer or one inside it; empty means this one; nullptr when there is none.
     const LayerRun* find(std::string_view name) const;
+    LayerRun* find(std::string_view name);
+
+    /// Has the sampler called at the end of each substep, with this layer's clock. What it takes is
+    /// not counted as time of the loop.
+    void sampleSubsteps(std::function<void(const Clock&)> sampler);
 
     /// Clocks and triggers of this layer and of all inside it, a section for each layer.
     void transfer(Archive& archive);
 
  private:
-    LayerRun(const Layer& layer, double start_time, const LayerRun* parent);
+    LayerRun(const Layer& layer, double start_time, LayerRun* parent);
     void connectTriggers(const LayerRun& outermost);
     bool isInside(const LayerRun* other) const;
     double estimate();
@@ -57,15 +63,17 @@ class LayerRun {
     double cover(double from, double until);
     void substep(double dt, double end);
     void run(CallRun& line);
+    void sample();
     bool due(CallRun& line) const;
     [[noreturn]] void fail(const std::string& message) const;
 
     const Layer& layer_;
-    const LayerRun* parent_;
+    LayerRun* parent_;
     Clock clock_;
     double begin_ = 0;  // of the substep under way, as windows compare it
     std::vector<Line> lines_;
     std::vector<Tally> estimate_tallies_;
+    std::vector<std::function<void(const Clock&)>> samplers_;
     Tally tally_;  // calls are substeps
 };
 

@@ -8,13 +8,28 @@
 
 namespace sphinx::loop {
 
-OutputSchedule::OutputSchedule(const std::vector<OutputEntry>& outputs, const LayerRun& outermost)
+OutputSchedule::OutputSchedule(const std::vector<OutputEntry>& outputs, LayerRun& outermost)
     : outermost_(outermost) {
     for (const OutputEntry& entry : outputs) {
-        EntryRun run{entry, Multiples(entry.every ? entry.every->interval : 1), nullptr, -1, {}};
+        EntryRun run{entry, Multiples(entry.every ? entry.every->interval : 1), nullptr, false, -1,
+                     {}};
         if (entry.every) run.counting = &outermost.find(entry.every->layer)->clock();
         startTrigger(run);
         entries_.push_back(std::move(run));
+    }
+    connectSampling(outermost);
+}
+
+void OutputSchedule::connectSampling(LayerRun& outermost) {
+    for (EntryRun& run : entries_) {
+        const std::optional<std::string> name = run.entry.output->sampledLayer();
+        if (!name) continue;
+        LayerRun& layer = *outermost.find(*name);
+        // The state after an outermost step is looked at before outputs see it.
+        if (&layer == &outermost)
+            run.samples_steps = true;
+        else
+            layer.sampleSubsteps([&run](const Clock& clock) { sample(run, clock); });
     }
 }
 
@@ -36,16 +51,14 @@ void OutputSchedule::writeFirst() {
     write(due);
 }
 
-void OutputSchedule::sample() {
-    for (EntryRun& run : entries_) {
-        if (!run.entry.output->samplesEveryStep()) continue;
-        const TimedCall timed(run.tally);
-        run.entry.output->sample(outermost_.clock());
-    }
+void OutputSchedule::sample(EntryRun& run, const Clock& clock) {
+    const TimedCall timed(run.tally);
+    run.entry.output->sample(clock);
 }
 
 void OutputSchedule::writeDue(double wall_seconds) {
-    sample();
+    for (EntryRun& run : entries_)
+        if (run.samples_steps) sample(run, outermost_.clock());
     // All triggers move before anything is written: a restart carries the state after this step.
     std::vector<bool> due(entries_.size());
     bool any = false;

@@ -9,18 +9,22 @@
 namespace sphinx::loop {
 
 /// Decides when each output writes: at the start, after the first outermost step that reaches a
-/// multiple of its interval, at the end; never twice at the same step.
+/// multiple of its interval, at the end; never twice at the same step. Lets outputs sample.
 class OutputSchedule {
  public:
     struct EntryRun {
         OutputEntry entry;
         Multiples next;
         const Clock* counting = nullptr;  ///< of the layer whose steps count
+        bool samples_steps = false;       ///< after outermost steps
         std::int64_t last_step = -1;      ///< outermost steps at the last write; -1: none yet
         Tally tally;
     };
 
-    OutputSchedule(const std::vector<OutputEntry>& outputs, const LayerRun& outermost);
+    /// The layers will call this object while they run.
+    OutputSchedule(const std::vector<OutputEntry>& outputs, LayerRun& outermost);
+    OutputSchedule(const OutputSchedule&) = delete;
+    OutputSchedule& operator=(const OutputSchedule&) = delete;
 
     /// Before the first step of a fresh run; restarts wait for the first step.
     void writeFirst();
@@ -48,7 +52,8 @@ class OutputSchedule {
     double value(const EntryRun& run) const;
     void startTrigger(EntryRun& run) const;
     void transferEntry(Archive& archive, EntryRun& run);
-    void sample();
+    void connectSampling(LayerRun& outermost);
+    static void sample(EntryRun& run, const Clock& clock);
     /// Writes the entries of `due` that have not written at this step, restarts last.
     void write(const std::vector<bool>& due);
 

@@ -82,6 +82,9 @@ void validate(const Plan& plan) {
         require(entry.output != nullptr, "output " + entry.name + " has no object");
         require(names.insert(entry.name).second, "two outputs are called " + entry.name);
         if (entry.every) validateTrigger(*entry.every, "output " + entry.name, layers);
+        const std::optional<std::string> sampled = entry.output->sampledLayer();
+        require(!sampled || sampled->empty() || layers.count(*sampled) > 0,
+                "output " + entry.name + ": no layer " + sampled.value_or("") + " to sample");
     }
 }
 

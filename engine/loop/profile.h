@@ -30,7 +30,7 @@ struct Profile {
     bool finished = false;      ///< the end time was reached
     double loop_seconds = 0;    ///< outermost steps and the checks after them, without outputs
     double start_seconds = 0;   ///< start lines
-    double output_seconds = 0;  ///< writing outputs
+    double output_seconds = 0;  ///< outputs: sampling and writing
     std::vector<std::pair<std::string, std::int64_t>> steps;  ///< by layer, from the outermost
     std::vector<ProfileLine> lines;                           ///< the outermost layer; the checks
     std::vector<ProfileLine> start;

@@ -48,10 +48,9 @@ Outcome Runner::run(const AfterStep& after_step) {
 
     std::optional<std::string> stop;
     while (!finished() && !stop) {
+        outermost_.stepFreely();
         {
-            const TimedCall timed(loop_);
-            outermost_.stepFreely();
-            const TimedCall timed_hook(after_step_);
+            const TimedCall timed(after_step_);
             stop = after_step(clock());
         }
         outputs_.writeDue(wall_.seconds());
@@ -77,7 +76,7 @@ Profile Runner::profile() const {
     Profile profile;
     profile.time = clock().time;
     profile.finished = finished();
-    profile.loop_seconds = loop_.seconds();
+    profile.loop_seconds = outermost_.tally().seconds() + after_step_.seconds();
     profile.lines.push_back(profileLayer(outermost_, profile.steps));
     profile.lines.push_back(profileLine("checks after each step", "checks", after_step_));
     for (std::size_t k = 0; k < plan_.start.size(); ++k) {

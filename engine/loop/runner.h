@@ -54,7 +54,6 @@ class Runner {
     OutputSchedule outputs_;
     bool resumed_ = false;
     std::vector<Tally> start_tallies_;
-    Tally loop_;  // outermost steps and after_step, without outputs
     Tally after_step_;
     Timer wall_;             // since run()
     double first_time_ = 0;  // case time and steps at the beginning of run()

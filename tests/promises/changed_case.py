@@ -41,7 +41,8 @@ class ChangedCase(Promise):
             "dynamics.pressure_relaxation.riemann=none": "riemann: none",
             "loop.start_time=-1": "start_time: -1",
             "domain.lost_particles=remove": "lost_particles: remove",
-            "loop.steps=[density_summation, gravity, neighbors]": "- viscosity",
+            "loop.steps=[density_summation, gravity, {layer: acoustic, dt: acoustic_dt, steps: "
+            "[pressure_relaxation.first_half, pressure_relaxation.second_half]}, neighbors]": "- viscosity",
         }
         before = content(self.output)
         for change, shown in changes.items():

@@ -16,6 +16,8 @@ MOMENTUM_DRIFT = 1e-12
 # In particle spacings, as for a mirrored run.
 POSITION_ERROR = 1e-9
 SPACING = 0.05
+# Of the weight's impulse in the same time.
+IMPULSE_ERROR = 1e-3
 PERIODIC_2D = {"lower": [-1, -1], "upper": [1, 1], "periodic": ["x", "y"]}
 # "As good as random" in each direction.
 NOISE = ["0.3*sin(1000*sin(12.9898*x + 78.233*y + 37.719*z))",
@@ -78,6 +80,29 @@ class Conservation(Promise):
         self.sphinx(case, output)
         self.assertEqual(first_frame(output, "mass").tobytes(),
                          last_restart(output).by_id("water", "mass").tobytes())
+
+    def test_walls_get_what_the_water_loses(self):
+        """The impulse of the mean force on the walls against momentum and weight of the water, in
+        a splash. What is left: velocities change between the sum and the sample, friction in
+        between. (Sampled after advection steps 0.066 is left in x.)"""
+        every = {"time": 0.05}
+        force = {"type": "reduce", "every": every, "body": "wall", "quantity": "force",
+                 "average": True, "layer": "acoustic"}
+        momentum = {"type": "reduce", "every": every, "body": "water", "quantity": "momentum"}
+        mass = {"type": "reduce", "body": "water", "quantity": "mass"}
+        case, output = self.case("splash_2d", outputs={
+            "force": force, "momentum": momentum, "mass": mass}), self.folder / "out"
+        self.sphinx(case, output)
+        weight = results.read_csv(output / "mass.csv")[0, 1]  # g = 1
+        rows = results.read_csv(output / "force.csv")
+        duration, force = np.diff(rows[:, 0]), rows[1:, 5:7]
+        gained = np.diff(results.read_csv(output / "momentum.csv")[:, 1:], axis=0)
+        unexplained = gained + duration[:, None] * (force + [0, weight])
+        part = np.abs(unexplained.sum(axis=0)) / (weight * duration.sum())
+        print(f"impulse on the walls: {part[0]:.1e} and {part[1]:.1e} of the weight's unexplained")
+        self.assertGreater(np.abs(gained).max(), 0.3 * weight * duration.max(), "nothing happened")
+        self.assertLessEqual(part[0], IMPULSE_ERROR)
+        self.assertLessEqual(part[1], IMPULSE_ERROR)
 
     def test_drifting_block(self):
         noise = load_case("free_2d")["bodies"]["water"]["initial"]["velocity"]

@@ -3,9 +3,10 @@
 """Outputs never change the physics."""
 
 import re
+import subprocess
 import unittest
 
-from support import Promise, Restart, load_case, restarts
+from support import SECONDS, SPHINX, Promise, Restart, load_case, restarts
 
 RESTART = {"type": "restart", "every": {"steps": 10}, "keep": 1000}
 # Fields of an elastic body that are made for outputs alone.
@@ -14,10 +15,10 @@ DERIVED = ["displacement", "green_lagrange_strain", "piola_kirchhoff_stress", "c
 
 
 class Outputs(Promise):
-    def any_outputs_same_physics(self, name, elastic=None, end_time=None):
-        """`elastic`: a body whose derived fields are written as well."""
+    def any_outputs_same_physics(self, name, elastic=None, end_time=None, further=None, **changes):
+        """`elastic`: a body whose derived fields are written as well; `further`: more outputs."""
         case = load_case(name)
-        every = case["outputs"]
+        every = case["outputs"] | (further or {})
         every["restart"] = RESTART
         if elastic:
             every["derived"] = {"type": "tecplot", "every": {"steps": 20}, "bodies": {elastic: DERIVED}}
@@ -26,7 +27,8 @@ class Outputs(Promise):
         sets = {"restart_only": {"restart": RESTART}, "every": every, "often": often}
         sets |= {f"only_{key}": {key: value, "restart": RESTART} for key, value in every.items()}
         for key, outputs in sets.items():
-            changed = self.case(name, outputs=outputs, loop__end_time=end_time or case["loop"]["end_time"])
+            changed = self.case(name, outputs=outputs, loop__end_time=end_time or case["loop"]["end_time"],
+                                **changes)
             self.sphinx(changed, self.folder / key)
         alone = restarts(self.folder / "restart_only")
         self.assertGreaterEqual(len(alone), 4)
@@ -49,6 +51,36 @@ class Outputs(Promise):
 
     def test_elastic_3d(self):
         self.any_outputs_same_physics("clamped_3d", "beam")
+
+    def test_sampled_inside_a_step_in_a_periodic_domain(self):
+        """Lists are built for the observer before neighbors.update brings particles back."""
+        means = {"type": "observe", "observer": "probe", "fields": ["velocity"], "average": True}
+        self.any_outputs_same_physics(
+            "free_2d", end_time=0.1, further={"means": means | {"layer": "acoustic"}},
+            domain={"lower": [-1, -1], "upper": [1, 1], "periodic": ["x", "y"]},
+            geometry={"drop": {"box": {"lower": [-1, -1], "upper": [1, 1]}}},
+            bodies__water__initial={"velocity": ["2 + 0.3*sin(20*y)", "-1"]},
+            bodies__probe={"kind": "observer", "points": [[0.99, 0.5]]}, topology__probe=["water"],
+            dynamics__density_summation__surface="confined")
+
+    def test_check_and_run_know_the_same_fields(self):
+        def said(*arguments, **options):
+            done = subprocess.run([SPHINX, *arguments], capture_output=True, text=True, timeout=SECONDS,
+                                  **options)
+            return done.returncode, done.stderr, done.stdout
+
+        written = set()
+        fields = [line.split()[0] for line in said("list", "field")[2].splitlines()]
+        for field in fields:
+            outputs = {"frames": {"type": "vtu", "bodies": {"strip": [field]}}}
+            case = self.case("strip_2d", outputs=outputs, loop__end_time=1e-9)
+            code, errors, _ = said("check", case)
+            self.assertEqual(said("run", case, "-o", self.folder / field)[:2], (code, errors), field)
+            if code == 0:
+                written.add(field)
+        self.assertLessEqual(set(DERIVED) | {"velocity", "deformation_gradient"}, written)
+        # Those of a fluid, and what only a coupling with one computes.
+        self.assertFalse(written & {"pressure", "density_rate", "average_acceleration"})
 
     def test_no_outputs(self):
         case = self.case("splash_2d")

@@ -180,7 +180,7 @@ TEST_CASE("an observer of a case writes its rows", "[observe]") {
     scene.observer({Vec<2>(0.5, 2)}, {&water});
     const Entry entry("{type: observe, observer: probe, fields: [pressure]}");
     auto output = entry.make(scene.context(folder.path()));
-    CHECK_FALSE(output->samplesEveryStep());
+    CHECK_FALSE(output->sampledLayer());
     output->write(clockAt(1.5));
     output->finish();
     CHECK(readFile(folder / "row.csv", 1000) ==

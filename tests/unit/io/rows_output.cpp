@@ -29,12 +29,16 @@ struct Rows {
     TemporaryFolder folder;
     std::vector<double> values{0, 0};
 
-    std::unique_ptr<RowsOutput> make(bool average, const std::string& form = "given") {
+    std::unique_ptr<RowsOutput> make(bool average, const std::string& form = "given",
+                                     const std::string& layer = "") {
         SeriesParameters series;
         series.folder = folder.path();
         series.name = "row";
-        return std::make_unique<RowsOutput>(series, RowsParameters{average, form},
-                                            std::make_unique<Given>(values));
+        RowsParameters parameters;
+        parameters.mean.average = average;
+        parameters.mean.layer.text = layer;
+        parameters.form = form;
+        return std::make_unique<RowsOutput>(series, parameters, std::make_unique<Given>(values));
     }
     void sample(Output& output, double dt, std::vector<double> now) {
         values = std::move(now);
@@ -48,7 +52,7 @@ struct Rows {
 TEST_CASE("without averages a row holds the values of its instant") {
     Rows rows;
     const auto output = rows.make(false);
-    CHECK_FALSE(output->samplesEveryStep());
+    CHECK_FALSE(output->sampledLayer());
     rows.values = {1, 2};
     output->write(clockAt(0));
     rows.values = {3, nan_value};
@@ -59,7 +63,7 @@ TEST_CASE("without averages a row holds the values of its instant") {
 TEST_CASE("rows are means over time since the row before, without what is NaN") {
     Rows rows;
     const auto output = rows.make(true);
-    CHECK(output->samplesEveryStep());
+    CHECK(output->sampledLayer() == "");
     rows.values = {8, nan_value};
     output->write(clockAt(0));  // before any step: the values themselves
     rows.sample(*output, 1, {1, nan_value});
@@ -70,15 +74,22 @@ TEST_CASE("rows are means over time since the row before, without what is NaN") 
     CHECK(rows.text() == "time,a,b\n0,8,nan\n4,1.75,5\n4.5,6,nan\n");
 }
 
+TEST_CASE("means over the steps of a layer ask for that layer") {
+    Rows rows;
+    CHECK(rows.make(true, "given", "acoustic")->sampledLayer() == "acoustic");
+    CHECK_FALSE(rows.make(false)->sampledLayer());
+}
+
 TEST_CASE("a mean goes on after a restart with the same bits") {
     Rows rows;
     Rows again;
     MemoryArchive archive;
-    const auto whole = rows.make(true);
+    const std::string layer = GENERATE("", "acoustic");
+    const auto whole = rows.make(true, "given", layer);
     rows.sample(*whole, 0.1, {1.0 / 3, 7});
     rows.sample(*whole, 0.3, {2.0 / 7, nan_value});
     whole->transfer(archive);
-    const auto resumed = again.make(true);
+    const auto resumed = again.make(true, "given", layer);
     archive.is_loading = true;
     resumed->transfer(archive);
     resumed->resume(clockAt(0.4));
@@ -89,7 +100,8 @@ TEST_CASE("a mean goes on after a restart with the same bits") {
     CHECK(rows.text() == again.text());
 
     SECTION("unless it means something else now") {
-        for (const auto& other : {again.make(false), again.make(true, "changed")}) {
+        for (const auto& other : {again.make(false), again.make(true, "changed"),
+                                  again.make(true, "given", layer.empty() ? "acoustic" : "")}) {
             other->transfer(archive);
             again.values = {4, 4};
             Clock clock = clockAt(1.1);

@@ -5,37 +5,134 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
+#include <thread>
+
 using namespace sphinx;
 using namespace sphinx::loop;
 using namespace sphinx::loop::fake;
 
+namespace {
+
+struct Sampling : RecordingOutput {
+    Sampling(std::string name, Journal& journal, std::string layer)
+        : RecordingOutput(std::move(name), journal), seen(journal), of(std::move(layer)) {}
+    std::optional<std::string> sampledLayer() const override { return of; }
+    void sample(const Clock& clock) override {
+        seen.push_back({"sample " + of, clock.time, clock.dt, clock.steps});
+        if (on_sample) on_sample();
+    }
+    Journal& seen;
+    std::string of;
+    std::function<void()> on_sample;
+};
+
+Outcome runAll(Runner& runner) {
+    return runner.run([](const Clock&) { return std::nullopt; });
+}
+
+}  // namespace
+
 TEST_CASE("an output that samples does so after every step, before anything is written") {
-    struct Sampling : RecordingOutput {
-        using RecordingOutput::RecordingOutput;
-        bool samplesEveryStep() const override { return true; }
-        void sample(const Clock& clock) override {
-            seen->push_back({"sample", clock.time, clock.dt, clock.steps});
-        }
-        Journal* seen = nullptr;
-    };
+    const std::string layer = GENERATE("", "outer");
     Journal journal;
     RecordingOutput frame("frame", journal);
-    Sampling mean("row", journal);
-    mean.seen = &journal;
+    Sampling mean("row", journal, layer);
     Plan plan;
     plan.end_time = 0.75;
     plan.outermost = fixedLayer("outer", 0.25, {});
     plan.outputs = {{"frames", "vtu", &frame, eachSteps(2), false},
                     {"mean", "observe", &mean, eachSteps(2), false}};
     Runner runner(plan);
-    runner.run([](const Clock&) { return std::nullopt; });
+    runner.run([&](const Clock& clock) {
+        journal.push_back({"looked at", clock.time, clock.dt, clock.steps});
+        return std::nullopt;
+    });
+    const std::string sample = "sample " + layer;
     CHECK(journal == Journal{{"frame", 0, 0, 0},
                              {"row", 0, 0, 0},
-                             {"sample", 0.25, 0.25, 1},
-                             {"sample", 0.5, 0.25, 2},
+                             {"looked at", 0.25, 0.25, 1},
+                             {sample, 0.25, 0.25, 1},
+                             {"looked at", 0.5, 0.25, 2},
+                             {sample, 0.5, 0.25, 2},
                              {"frame", 0.5, 0.25, 2},
                              {"row", 0.5, 0.25, 2},
-                             {"sample", 0.75, 0.25, 3},
+                             {"looked at", 0.75, 0.25, 3},
+                             {sample, 0.75, 0.25, 3},
                              {"frame", 0.75, 0.25, 3},
                              {"row", 0.75, 0.25, 3}});
+}
+
+TEST_CASE("an inner layer is sampled at the end of each of its substeps, with its clock") {
+    Journal journal;
+    Recorder acoustic("acoustic", journal);
+    Recorder after("after", journal);
+    Sampling mean("row", journal, "inner");
+    Plan plan;
+    plan.end_time = 1;
+    plan.outermost =
+        fixedLayer("outer", 0.5,
+                   {{fixedLayer("inner", 0.375, {call("acoustic", acoustic)}, Fit::clip)},
+                    call("after", after)});
+    plan.outputs = {{"mean", "observe", &mean, eachSteps(1), false}};
+    Runner runner(plan);
+    runAll(runner);
+    CHECK(journal == Journal{{"row", 0, 0, 0},
+                             {"acoustic", 0, 0.375, 0},
+                             {"sample inner", 0.375, 0.375, 1},
+                             {"acoustic", 0.375, 0.125, 1},
+                             {"sample inner", 0.5, 0.125, 2},
+                             {"after", 0, 0.5, 0},
+                             {"row", 0.5, 0.5, 1},
+                             {"acoustic", 0.5, 0.375, 2},
+                             {"sample inner", 0.875, 0.375, 3},
+                             {"acoustic", 0.875, 0.125, 3},
+                             {"sample inner", 1, 0.125, 4},
+                             {"after", 0.5, 0.5, 1},
+                             {"row", 1, 0.5, 2}});
+}
+
+TEST_CASE("a substep that a layer inside it lengthens is sampled with the length it took") {
+    Journal journal;
+    Sampling mean("row", journal, "middle");
+    Plan plan;
+    plan.end_time = 1;
+    plan.outermost =
+        fixedLayer("outer", 1,
+                   {{fixedLayer("middle", 0.5, {{fixedLayer("inner", 0.375, {}, Fit::overshoot)}},
+                                Fit::overshoot)}});
+    plan.outputs = {{"mean", "observe", &mean, {}, false}};
+    Runner runner(plan);
+    runAll(runner);
+    CHECK(journal == Journal{{"row", 0, 0, 0},
+                             {"sample middle", 0.75, 0.75, 1},
+                             {"sample middle", 1.5, 0.75, 2},
+                             {"row", 1.5, 1.5, 1}});
+}
+
+TEST_CASE("a layer to sample must exist") {
+    Journal journal;
+    Sampling mean("row", journal, "acustic");
+    Plan plan;
+    plan.outermost = fixedLayer("outer", 1, {});
+    plan.outputs = {{"mean", "observe", &mean, {}, false}};
+    CHECK_THROWS_WITH(Runner(plan), "loop: output mean: no layer acustic to sample");
+}
+
+TEST_CASE("what an output samples inside of the loop is counted as its time alone") {
+    Journal journal;
+    Sampling mean("row", journal, "inner");
+    mean.on_sample = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+    Plan plan;
+    plan.end_time = 1;
+    plan.outermost = fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}});
+    plan.outputs = {{"mean", "observe", &mean, {}, false}};
+    Runner runner(plan);
+    runAll(runner);
+    const Profile profile = runner.profile();
+    CHECK(profile.output_seconds >= 0.08);
+    CHECK(profile.outputs.front().calls == 6);
+    CHECK(profile.lines.front().seconds < 0.04);
+    CHECK(profile.lines.front().lines.front().seconds < 0.04);
+    CHECK(profile.loop_seconds < 0.04);
 }
