@@ -4,8 +4,10 @@
 
 #include "core/place_text.h"
 #include "neighbors/list_builder.h"
+#include "particles/lattice.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,24 @@ namespace {
 
 /// More particles have no 32-bit index; some of the box around a body may be empty.
 constexpr double most_lattice_points = 1e10;
+/// What a particle needs at least (position, velocity, mass, ...), without its lists.
+constexpr double bytes_of_particle = 100;
+/// Lattices are counted by a sample where they have more points than that.
+constexpr double sampled_points = 1e6;
+
+double physicalMemory() {
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// Number of lattice points in a shape, from a coarser lattice where there are many.
+template <int Dim>
+double countAbout(const geometry::Shape<Dim>& shape, double spacing) {
+    const double cells = (shape.bounds().size() / spacing).prod();
+    const double ratio = std::max(1.0, std::pow(cells / sampled_points, 1.0 / Dim));
+    const auto sample = latticePoints<Dim>(shape, ratio * spacing, shape.bounds().lower);
+    return static_cast<double>(sample.size()) * std::pow(ratio, Dim);
+}
 
 template <int Dim>
 void checkDomain(const Body& source, const sphinx::Body<Dim>& body,
@@ -145,12 +165,22 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
         if (shape.empty()) continue;
         const double spacing = source.spacing(model.resolution);
         const Vec<Dim> cells = shape.bounds().size() / spacing;
-        if (!(cells.prod() <= most_lattice_points && cells.maxCoeff() <= most_lattice_points))
+        if (!(cells.prod() <= most_lattice_points && cells.maxCoeff() <= most_lattice_points)) {
             diagnostics.error(
                 source.place,
                 fmt::format("the lattice of spacing {:g} has {:.3g} points in the box "
                             "around {}; the most is {:.0e}",
                             spacing, cells.prod(), source.name, most_lattice_points));
+            continue;
+        }
+        if (cells.prod() <= sampled_points) continue;
+        const double count = countAbout<Dim>(shape, spacing);
+        if (count * bytes_of_particle > physicalMemory())
+            diagnostics.error(source.place,
+                              fmt::format("the lattice of spacing {:g} gives {} about {:.1g} "
+                                          "particles, which do not fit in the memory of this "
+                                          "machine ({:.2g} GB)",
+                                          spacing, source.name, count, physicalMemory() / 1e9));
     }
 }
 

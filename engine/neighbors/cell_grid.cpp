@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sphinx {
 
@@ -43,7 +44,8 @@ void CellGrid<Dim>::build(const Vec<Dim>* position, std::size_t n, double cell_s
 
     // A body that spreads far (spray) must not make more cells than a few per particle.
     size_ = cell_size;
-    const double limit = 64.0 * static_cast<double>(n) + 4096;
+    const double limit = std::min(64.0 * static_cast<double>(n) + 4096,
+                                  static_cast<double>(std::numeric_limits<Index>::max()));
     for (;;) {
         double cells = 1;
         for (int k = 0; k < Dim; ++k) cells *= std::floor(bounds.size()[k] / size_) + 1;

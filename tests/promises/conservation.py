@@ -121,6 +121,35 @@ class Conservation(Promise):
         print(f"drifting block: {np.abs(difference).max() / SPACING:.1e} spacings off")
         self.assertLessEqual(np.abs(difference).max(), POSITION_ERROR * SPACING)
 
+    def test_drifting_elastic_block(self):
+        """It crosses the periodic sides as a whole."""
+        found = {}
+        for name, (u, v) in {"rest": (0, 0), "drift": (7.3, -5.1)}.items():
+            case = {
+                "sphinx": 1, "dimension": 2, "units": "none", "resolution": {"spacing": SPACING},
+                "domain": PERIODIC_2D,
+                "geometry": {"block": {"box": {"lower": [-0.4, -0.2], "upper": [0.4, 0.2]}}},
+                "materials": {"rubber": {"type": "saint_venant_kirchhoff", "density": 1,
+                                         "youngs_modulus": 100, "poisson_ratio": 0.3}},
+                "bodies": {"block": {"kind": "solid", "shape": "block", "material": "rubber", "initial": {
+                    "velocity": [f"{u} + 0.2*sin(3*x)*y", f"{v} + 0.2*cos(4*y)*x"]}}},
+                "topology": {"block": ["self"]},
+                "dynamics": {"correction": {"type": "solid.linear_correction", "body": "block"},
+                             "relaxation": {"type": "solid.stress_relaxation", "body": "block"},
+                             "neighbors": {"type": "neighbors.update", "bodies": ["block"]}},
+                "loop": {"start": ["neighbors", "correction"], "end_time": 0.6, "layer": "elastic",
+                         "dt": 0.001,
+                         "steps": ["relaxation.first_half", "relaxation.second_half", "neighbors"]},
+                "outputs": {"restart": {"type": "restart"}},
+            }
+            self.sphinx(self.write_case(name, case), self.folder / name)
+            restart = last_restart(self.folder / name)
+            found[name] = restart.by_id("block", "position") - restart.time * np.array([u, v])
+        difference = found["drift"] - found["rest"]
+        difference -= 2 * np.round(difference / 2)
+        print(f"drifting elastic block: {np.abs(difference).max() / SPACING:.1e} spacings off")
+        self.assertLessEqual(np.abs(difference).max(), POSITION_ERROR * SPACING)
+
 
 if __name__ == "__main__":
     unittest.main()

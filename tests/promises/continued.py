@@ -48,6 +48,9 @@ class Continued(Promise):
     def test_3d(self):
         self.resumed_equals_whole("splash_3d", {})
 
+    def test_periodic(self):
+        self.resumed_equals_whole("channel_2d", {})
+
     def test_elastic(self):
         self.resumed_equals_whole("gate_2d", {})
 

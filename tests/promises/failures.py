@@ -46,6 +46,14 @@ class BlownUp(Promise):
                                   r"\(0\.\d+, 0\.\d+\), is -?nan after \S+ at time 0\.3\d*;")
         self.good_restarts(output, 0.25)
 
+    def test_number_that_stops_being_one_before_a_sort(self):
+        # Every step sorts into cells what has just stopped having a place.
+        force = "{type: force.body_force, body: water, acceleration: ['sqrt(0.3 - t)', -1]}"
+        loop = LOOP.replace("neighbors]", "sort, neighbors]").replace("0.02", "0.002")
+        output, message = self.stops(f"dynamics.gravity={force}", "loop.steps=" + loop)
+        self.assertRegex(message, r"^error: \S+ of particle \d+ of water.* is .*nan.* at time 0\.3\d*")
+        self.good_restarts(output, 0.25)
+
     def test_blow_up(self):
         # Far above the limit of stability: particles fly apart within some steps.
         output, message = self.stops("loop.dt=0.02", "loop.steps=" + LOOP)

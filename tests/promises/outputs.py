@@ -43,6 +43,9 @@ class Outputs(Promise):
     def test_3d(self):
         self.any_outputs_same_physics("splash_3d")
 
+    def test_periodic(self):
+        self.any_outputs_same_physics("channel_2d")
+
     def test_elastic_in_fluid(self):
         self.any_outputs_same_physics("gate_2d", "gate", end_time=0.5)
 

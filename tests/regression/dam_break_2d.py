@@ -5,17 +5,18 @@
 The case is the experiment of Lobovsky et al. 2014, doi:10.1016/j.jfluidstructs.2014.03.009, and of
 Buchner in units of the column, T = t sqrt(g/H), P = p/(rho g H). The pressure first exceeds 0.1 at
 T = 2.408, 2.466, 2.517 and 2.763 at 0.01, 0.05, 0.1 and 0.267 H: 2.66 at our sensor, 0.2 H, by
-interpolation. Its mean over 3.5 < T < 5 is 0.54.
+interpolation. Finite volumes, without friction as we, give 2.585 and 2.619 at H/40 and H/80
+(reference/finite_volumes.csv). The mean over 3.5 < T < 5 is 0.54 in the experiment.
 """
 
 import numpy as np
 
 import checks
 
-ARRIVAL = 2.66
+ARRIVAL = 2.62
 PLATEAU = 0.54
 # Measured at H/20, H/40 and H/80: README.md.
-ARRIVAL_LIMIT = 0.1
+ARRIVAL_LIMIT = 0.06
 PLATEAU_LIMIT = 0.25
 ENERGY_RISE = 1e-3
 END_LIMIT = 0.45  # at t = 20, of the start; at rest it would be 0.3727
@@ -84,7 +85,7 @@ def main():
     # The traditional loop at half the resolution: the same flow until the impact and after.
     single = measure(4, "variables.spacing=0.05", case="single_layer.yaml")
     report.check("single layer: pressure first above 0.1, at T", single["arrival"],
-                 ARRIVAL - 2 * ARRIVAL_LIMIT, ARRIVAL + 2 * ARRIVAL_LIMIT)
+                 ARRIVAL - 3 * ARRIVAL_LIMIT, ARRIVAL + 3 * ARRIVAL_LIMIT)
     report.check("single layer: rise of the energy", single["rise"], 0, ENERGY_RISE)
     report.end()
 

@@ -6,15 +6,44 @@
 #include "core/log.h"
 #include "core/parallel.h"
 #include "core/place_text.h"
+#include "materials/elastic_solid.h"
 #include "materials/material.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace sphinx::neighbors {
+
+namespace {
+
+/// The body and all that are bonded to it, directly or through others.
+template <int Dim>
+std::vector<Body<Dim>*> pieceOf(Body<Dim>& body) {
+    std::vector<Body<Dim>*> piece{&body};
+    for (std::size_t k = 0; k < piece.size(); ++k)
+        for (Body<Dim>* other : piece[k]->bonded)
+            if (std::ranges::find(piece, other) == piece.end()) piece.push_back(other);
+    return piece;
+}
+
+}  // namespace
 
 template <int Dim>
 Update<Dim>::Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies)
-    : context_(context), bodies_(std::move(bodies)) {}
+    : context_(context), bodies_(std::move(bodies)) {
+    for (Body<Dim>* body : bodies_) {
+        const auto holdsBody = [&](const Group& group) {
+            return std::ranges::find(group.bodies, body) != group.bodies.end();
+        };
+        if (std::ranges::any_of(groups_, holdsBody)) continue;
+        if (dynamic_cast<const ElasticSolid*>(body->material.get()))
+            groups_.push_back({pieceOf(*body), true});
+        else
+            groups_.push_back({{body}, false});
+    }
+}
 
 template <int Dim>
 std::size_t Update<Dim>::workSize() const {
@@ -25,33 +54,61 @@ std::size_t Update<Dim>::workSize() const {
 
 template <int Dim>
 void Update<Dim>::run(int, const Clock& clock) {
-    for (Body<Dim>* body : bodies_) keepInside(*body, clock);
+    for (const Group& group : groups_) wrap(group);
+    for (Body<Dim>* body : bodies_) findLost(*body, clock);
     context_.relations.update(bodies_);
 }
 
 template <int Dim>
-void Update<Dim>::keepInside(Body<Dim>& body, const Clock& clock) {
+void Update<Dim>::wrap(const Group& group) const {
     const Domain<Dim>& domain = context_.world.domain;
-    auto& position = body.particles.position();
     for (int k = 0; k < Dim; ++k) {
         if (!domain.periodic[k]) continue;
         const double lower = domain.bounds.lower[k];
         const double upper = domain.bounds.upper[k];
         const double period = upper - lower;
-        const auto wrapped = parallelSum(body.size(), [&](std::size_t i) {
-            double& x = position[i][k];
-            const double before = x;
+        const auto inside = [&](double x) {
             if (x < lower) x += period;
-            if (x >= upper) x -= period;
-            return x == before ? 0L : 1L;
-        });
-        if (wrapped > 0) ++body.version;
+            return x >= upper ? x - period : x;  // the sum may round to the upper side
+        };
+        // Lists of the reference configuration know no images, so an elastic body goes where its
+        // first particle goes. None is further from that than a period: other lists find it.
+        double step = 0;
+        if (group.whole) {
+            const double first = group.bodies.front()->particles.position()[0][k];
+            step = first < lower ? period : first >= upper ? -period : 0;
+            if (step == 0) continue;
+        }
+        for (Body<Dim>* body : group.bodies) {
+            auto& position = body->particles.position();
+            const auto wrapped = parallelSum(body->size(), [&](std::size_t i) {
+                double& x = position[i][k];
+                const double before = x;
+                x = group.whole ? x + step : inside(x);
+                return x == before ? 0L : 1L;
+            });
+            // Grids and lists of the places before are stale.
+            if (wrapped > 0) ++body->version;
+        }
     }
+}
+
+template <int Dim>
+void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) const {
+    const Domain<Dim>& domain = context_.world.domain;
     // A wall goes where its motion is prescribed.
-    const bool wall = dynamic_cast<const Rigid*>(body.material.get()) != nullptr;
-    const auto outside = [&](std::size_t i) {
-        return wall ? !position[i].allFinite() : !domain.bounds.contains(position[i]);
-    };
+    if (dynamic_cast<const Rigid*>(body.material.get())) return;
+    auto& position = body.particles.position();
+    Box<Dim> bounds = domain.bounds;
+    if (dynamic_cast<const ElasticSolid*>(body.material.get())) {
+        // It may reach across a periodic side.
+        for (int k = 0; k < Dim; ++k) {
+            if (!domain.periodic[k]) continue;
+            bounds.lower[k] = -std::numeric_limits<double>::max();
+            bounds.upper[k] = std::numeric_limits<double>::max();
+        }
+    }
+    const auto outside = [&](std::size_t i) { return !bounds.contains(position[i]); };
     const auto lost = parallelSum(body.size(), [&](std::size_t i) { return outside(i) ? 1L : 0L; });
     if (lost == 0) return;
 

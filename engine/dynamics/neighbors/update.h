@@ -21,10 +21,17 @@ class Update final : public Method {
     std::size_t workSize() const override;
 
  private:
-    void keepInside(Body<Dim>& body, const Clock& clock);
+    /// Bodies that cross a periodic side particle by particle, or as a whole.
+    struct Group {
+        std::vector<Body<Dim>*> bodies;
+        bool whole = false;
+    };
+    void wrap(const Group& group) const;
+    void findLost(Body<Dim>& body, const Clock& clock) const;
 
     Context<Dim> context_;
     std::vector<Body<Dim>*> bodies_;
+    std::vector<Group> groups_;
 };
 
 /// Registers neighbors.update.

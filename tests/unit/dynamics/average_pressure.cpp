@@ -9,11 +9,10 @@ using namespace sphinx;
 using sphinx::test::filled;
 using sphinx::test::FluidScene;
 
-TEMPLATE_TEST_CASE_SIG("mean of the pressure over the substeps of an interval", "", ((int Dim), Dim),
-                       2, 3) {
+TEMPLATE_TEST_CASE_SIG("mean of the pressure over the substeps of an interval", "",
+                       ((int Dim), Dim), 2, 3) {
     constexpr double spacing = FluidScene<Dim>::spacing;
-    FluidScene<Dim> scene(
-        filled<Dim>(Vec<Dim>::Zero(), Vec<Dim>::Constant(2 * spacing), spacing));
+    FluidScene<Dim> scene(filled<Dim>(Vec<Dim>::Zero(), Vec<Dim>::Constant(2 * spacing), spacing));
     auto& particles = scene.water->particles;
     auto& pressure = particles.scalar(fields::pressure);
     const auto setPressure = [&](double scale) {
