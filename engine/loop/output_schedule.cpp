@@ -56,17 +56,20 @@ void OutputSchedule::sample(EntryRun& run, const Clock& clock) {
     run.entry.output->sample(clock);
 }
 
-void OutputSchedule::writeDue(double wall_seconds) {
+void OutputSchedule::writeDue(double wall_seconds, bool last) {
     for (EntryRun& run : entries_)
         if (run.samples_steps) sample(run, outermost_.clock());
     // All triggers move before anything is written: a restart carries the state after this step.
+    // In the last step all outputs are due, and the restart knows it.
     std::vector<bool> due(entries_.size());
     bool any = false;
     for (std::size_t k = 0; k < entries_.size(); ++k) {
         EntryRun& run = entries_[k];
-        if (!run.entry.every) continue;
-        const bool wall = run.entry.every->kind == Trigger::Kind::wall_time;
-        due[k] = run.next.reach(wall ? wall_seconds : value(run));
+        due[k] = last;
+        if (run.entry.every) {
+            const bool wall = run.entry.every->kind == Trigger::Kind::wall_time;
+            if (run.next.reach(wall ? wall_seconds : value(run))) due[k] = true;
+        }
         any = any || due[k];
     }
     if (any) write(due);

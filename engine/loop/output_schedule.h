@@ -29,8 +29,8 @@ class OutputSchedule {
     /// Before the first step of a fresh run; restarts wait for the first step.
     void writeFirst();
     /// After an outermost step: lets the outputs sample that do so, then writes those that are due.
-    /// `wall_seconds`: since the start of the process.
-    void writeDue(double wall_seconds);
+    /// `wall_seconds`: since the start of the process. After the last step all are due.
+    void writeDue(double wall_seconds, bool last);
     /// At the end: everything that has not written this state yet.
     void writeLast();
     /// A run that is stopped early writes its restarts only: any other frame would be missing in

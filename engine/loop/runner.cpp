@@ -53,7 +53,7 @@ Outcome Runner::run(const AfterStep& after_step) {
             const TimedCall timed(after_step_);
             stop = after_step(clock());
         }
-        outputs_.writeDue(wall_.seconds());
+        outputs_.writeDue(wall_.seconds(), finished());
     }
     if (finished())
         outputs_.writeLast();
