@@ -106,9 +106,10 @@ void declareBody(Registry& registry) {
                    "the spacing itself, instead of a level");
         d.optional("smoothing_ratio", &P::smoothing_ratio,
                    number(unit::none).atLeast(0.8).atMost(4), "h / dp; default: that of the case");
-        d.optional("origin", &P::origin, coordinates(unit::length),
-                   "a point that faces of lattice cells meet; default: the origin of coordinates, along a "
-                   "periodic axis the lower bound of the domain");
+        d.optional(
+            "origin", &P::origin, coordinates(unit::length),
+            "a point that faces of lattice cells meet; default: the origin of coordinates, along a "
+            "periodic axis the lower bound of the domain");
         d.check("spacing", [](const P& p) -> std::string {
             return p.spacing && p.level ? "give level or spacing, not both" : "";
         });
