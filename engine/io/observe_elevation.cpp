@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sphinx::io {
 namespace {
@@ -17,18 +18,23 @@ struct Near {
     double height;     // above the gauge's point
     double distance2;  // from the gauge, squared
     double volume;
-    std::uint32_t fluid;
+    std::uint32_t filler;
 };
+
+/// Where solids leave less of the space there is no gauge. In an edge of two walls it is a quarter.
+constexpr double least_space = 0.2;
 
 }  // namespace
 
 template <int Dim>
 ElevationSource<Dim>::ElevationSource(const std::vector<Vec<Dim>>& points,
-                                      std::vector<Fluid> fluids, const Domain<Dim>& domain,
-                                      const Vec<Dim>& up, const input::UnitSystem& units)
-    : fluids_(std::move(fluids)), domain_(&domain), up_(up) {
-    spacing_ = fluids_.front().body->spacing;
-    for (const Fluid& fluid : fluids_) spacing_ = std::min(spacing_, fluid.body->spacing);
+                                      std::vector<Filler> fluids, std::vector<Filler> solids,
+                                      const Domain<Dim>& domain, const Vec<Dim>& up,
+                                      const input::UnitSystem& units)
+    : fillers_(std::move(fluids)), fluids_(fillers_.size()), domain_(&domain), up_(up) {
+    spacing_ = fillers_.front().body->spacing;
+    for (const Filler& fluid : fillers_) spacing_ = std::min(spacing_, fluid.body->spacing);
+    fillers_.insert(fillers_.end(), solids.begin(), solids.end());
     for (const Vec<Dim>& point : points) {
         const auto above = [&](const Vec<Dim>& gauge) {
             const Vec<Dim> d = domain.difference(point, gauge);
@@ -55,19 +61,24 @@ template <int Dim>
 double ElevationSource<Dim>::elevation(const Vec<Dim>& point) const {
     std::vector<Near> particles;
     double reach = 0;
-    for (std::uint32_t f = 0; f < fluids_.size(); ++f) {
-        const Body<Dim>& body = *fluids_[f].body;
+    double highest = -std::numeric_limits<double>::infinity();  // of the fluids
+    double lowest = -highest;
+    for (std::uint32_t f = 0; f < fillers_.size(); ++f) {
+        const Body<Dim>& body = *fillers_[f].body;
         const double cutoff = body.kernel.cutoff();
         reach = std::max(reach, cutoff);
         for (std::size_t i = 0; i < body.size(); ++i) {
             const Vec<Dim> d = domain_->difference(body.particles.position()[i], point);
             const double height = up_.dot(d);
             const double distance2 = (d - height * up_).squaredNorm();
-            if (distance2 < cutoff * cutoff)
-                particles.push_back({height, distance2, (*fluids_[f].volume)[i], f});
+            if (!(distance2 < cutoff * cutoff)) continue;
+            particles.push_back({height, distance2, (*fillers_[f].volume)[i], f});
+            if (f >= fluids_) continue;
+            highest = std::max(highest, height);
+            lowest = std::min(lowest, height);
         }
     }
-    if (particles.empty()) return nan_value;
+    if (!(lowest <= highest)) return nan_value;
     std::sort(particles.begin(), particles.end(),
               [](const Near& a, const Near& b) { return a.height > b.height; });
 
@@ -75,26 +86,32 @@ double ElevationSource<Dim>::elevation(const Vec<Dim>& point) const {
         auto near = std::partition_point(particles.begin(), particles.end(), [&](const Near& one) {
             return one.height > height + reach;
         });
-        double sum = 0;
+        double fluid = 0;
+        double space = 1;
         for (; near != particles.end() && near->height > height - reach; ++near) {
             const double along = near->height - height;
-            sum += near->volume * fluids_[near->fluid].body->kernel.value(
-                                      std::sqrt(near->distance2 + along * along));
+            const double part =
+                near->volume * fillers_[near->filler].body->kernel.value(
+                                   std::sqrt(near->distance2 + along * along));
+            if (near->filler < fluids_)
+                fluid += part;
+            else
+                space -= part;
         }
-        return sum;
+        return space >= least_space && fluid >= 0.5 * space;
     };
     const double step = 0.25 * spacing_;
-    const double bottom = particles.back().height - reach;
-    double above = particles.front().height + reach;
+    const double bottom = lowest - reach;
+    double above = highest + reach;
     double below = above - step;
-    while (filled(below) < 0.5) {
+    while (!filled(below)) {
         above = below;
         below -= step;
         if (above < bottom) return nan_value;
     }
     for (int k = 0; k < 40; ++k) {
         const double middle = 0.5 * (above + below);
-        (filled(middle) < 0.5 ? above : below) = middle;
+        (filled(middle) ? below : above) = middle;
     }
     return up_.dot(point) + 0.5 * (above + below);
 }
@@ -103,20 +120,29 @@ template <int Dim>
 std::unique_ptr<SeriesSource> makeElevationSource(const Body<Dim>& observer,
                                                   const input::Place& place,
                                                   const OutputContext<Dim>& context) {
-    std::vector<typename ElevationSource<Dim>::Fluid> fluids;
+    using Filler = typename ElevationSource<Dim>::Filler;
+    const auto filler = [&](const Body<Dim>& body) {
+        return Filler{&body, dynamic_cast<const Field<double>*>(
+                                 &fieldOf(body, {std::string(fields::volume.name), place}))};
+    };
+    std::vector<Filler> fluids, solids;
     Vec<Dim> gravity = Vec<Dim>::Zero();
     for (const Body<Dim>* body : observer.sees) {
         if (body->kind != BodyKind::fluid) continue;
-        fluids.push_back({body, dynamic_cast<const Field<double>*>(
-                                    &fieldOf(*body, {std::string(fields::volume.name), place}))});
+        fluids.push_back(filler(*body));
         if (gravity.isZero(0)) gravity = body->gravity;
+        for (const Body<Dim>* seen : body->sees) {
+            const auto same = [&](const Filler& known) { return known.body == seen; };
+            if (seen->kind == BodyKind::solid && std::ranges::none_of(solids, same))
+                solids.push_back(filler(*seen));
+        }
     }
     if (fluids.empty()) failAt(place, "the observer '" + observer.name + "' sees no fluid");
     const Vec<Dim> up =
         gravity.isZero(0) ? Vec<Dim>(Vec<Dim>::Unit(Dim - 1)) : Vec<Dim>(-gravity.normalized());
     const Vec<Dim>* position = observer.particles.position().data();
     return std::make_unique<ElevationSource<Dim>>(
-        std::vector<Vec<Dim>>(position, position + observer.size()), std::move(fluids),
+        std::vector<Vec<Dim>>(position, position + observer.size()), std::move(fluids), std::move(solids),
         context.world.domain, up, context.units);
 }
 

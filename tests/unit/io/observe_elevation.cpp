@@ -42,6 +42,26 @@ TEMPLATE_TEST_CASE_SIG("the height of a flat surface is found within a hundredth
     }
 }
 
+TEMPLATE_TEST_CASE_SIG("at a wall the fluid fills what the wall leaves", "", ((int Dim), Dim), 2, 3) {
+    using V = Vec<Dim>;
+    Scene<Dim> scene;
+    V upper = V::Ones();
+    upper[Dim - 1] = 0.6;
+    Body<Dim>& water = scene.fluid("water", {V::Zero(), upper});
+    V wall_lower = V::Constant(-0.4), wall_upper = V::Constant(1.4);
+    wall_upper[0] = 0;
+    Body<Dim>& wall = scene.fill(scene.add("wall", BodyKind::solid), {wall_lower, wall_upper});
+    water.sees = {&water, &wall};
+    std::vector<V> points;
+    for (const double x : {-0.2, 0.0, 0.01, 0.05, 0.1, 0.5}) {
+        points.push_back(V::Constant(0.5));
+        points.back()[0] = x;
+    }
+    const std::vector<double> row = elevations(scene, scene.observer(points, {&water}));
+    CHECK(std::isnan(row[0]));  // inside of the wall
+    for (int k = 1; k < 6; ++k) CHECK(std::abs(row[k] - 0.6) < 0.02 * scene.spacing);
+}
+
 TEST_CASE("heights are measured against gravity") {
     Scene<2> scene;
     Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
