@@ -85,12 +85,13 @@ void declareDomain(Registry& registry) {
                                {"remove", LostParticles::remove,
                                 "go on without it, counted in the mass balance; only of fluids"}}),
         "what happens when a particle leaves the domain");
-    d.check("upper", [](const P& p) -> std::string {
+    d.check("upper", [](const P& p, const UnitSystem& units) -> std::string {
         if (!p.lower || !p.upper) return "";
         for (int k = 0; k < p.lower->size; ++k)
             if (p.lower->values[k] >= p.upper->values[k])
-                return fmt::format("upper is {} but must be above lower, {}", p.upper->values[k],
-                                   p.lower->values[k]);
+                return fmt::format("upper is {0}{2} but must be above lower, {1}{2}",
+                                   p.upper->values[k], p.lower->values[k],
+                                   units.suffix(unit::length));
         return "";
     });
 }
@@ -188,10 +189,11 @@ void declareLoop(Registry& registry) {
                        ? ""
                        : "a line with 'run' needs at least one of every, from and until";
         });
-        d.check("until", [](const P& p) -> std::string {
+        d.check("until", [](const P& p, const UnitSystem& units) -> std::string {
             return !p.from || !p.until || *p.until > *p.from
                        ? ""
-                       : fmt::format("until is {} but must be above from, {}", *p.until, *p.from);
+                       : fmt::format("until is {0}{2} but must be above from, {1}{2}", *p.until,
+                                     *p.from, units.suffix(unit::time));
         });
     }
     const auto fit = choice<Fit>(
@@ -217,11 +219,11 @@ void declareLoop(Registry& registry) {
     d.required("layer", &P::layer, newName(), "name of the outermost layer");
     d.required("dt", &P::dt, timeStep(), "size of an outermost step");
     d.required("steps", &P::steps, list(step(registry)), "what an outermost step does, in order");
-    d.check("end_time", [](const P& p) -> std::string {
+    d.check("end_time", [](const P& p, const UnitSystem& units) -> std::string {
         return p.end_time > p.start_time
                    ? ""
-                   : fmt::format("end_time is {} but must be above start_time, {}", p.end_time,
-                                 p.start_time);
+                   : fmt::format("end_time is {0}{2} but must be above start_time, {1}{2}",
+                                 p.end_time, p.start_time, units.suffix(unit::time));
     });
 }
 
@@ -247,7 +249,7 @@ void declareCase(Registry& registry) {
                                     [](Reader& reader, const void* value) {
                                         reader.dimension = *static_cast<const int*>(value);
                                     })),
-               "of space");
+               "dimension of space");
     d.optional("units", &P::units,
                Type<std::optional<UnitSystem>>(withEffect(
                    wordOr("none", structure<UnitSystem>(block("units"))).base(),

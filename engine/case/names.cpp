@@ -41,7 +41,8 @@ bool intersects(const Words& a, const Words& b) {
 
 class NameCheck {
  public:
-    NameCheck(const CaseBlock& block, Reader& reader) : block_(block), reader_(reader) {
+    NameCheck(const CaseBlock& block, const Node& root, Reader& reader)
+        : block_(block), reader_(reader) {
         known_[Target::body] = namesOf(block.bodies);
         known_[Target::material] = namesOf(block.materials);
         known_[Target::shape] = namesOf(block.geometry);
@@ -49,10 +50,10 @@ class NameCheck {
         collectLayers(block.loop, known_[Target::layer]);
         for (const FieldInfo* field : fields::all())
             known_[Target::field].emplace_back(field->name);
+        for (const auto& [target, key] : blocks)
+            if (isSpoilt(root, key)) spoilt_.insert(target);
         for (const NamedBody& body : block.bodies)
-            if (body.good)
-                traits_[body.name] = bodyTraits(
-                    body.block.kind, findComponent(block.materials, body.block.material.text));
+            if (body.good) judgeBody(body);
     }
 
     void check(const Reference& reference) {
@@ -83,7 +84,71 @@ class NameCheck {
         }
     }
 
+    /// Tells of each name that does not exist, where it stands first.
+    void reportMissing() {
+        for (auto& [name, missing] : missing_) {
+            std::sort(missing.places.begin(), missing.places.end());
+            reader_.error(missing.places.front(),
+                          missing.message + alsoIn(missing.places) + missing.hint);
+        }
+    }
+
  private:
+    struct Missing {
+        std::string message, hint;
+        std::vector<Place> places;
+    };
+    static constexpr std::pair<Target, const char*> blocks[] = {{Target::body, "bodies"},
+                                                                {Target::material, "materials"},
+                                                                {Target::shape, "geometry"},
+                                                                {Target::method, "dynamics"},
+                                                                {Target::layer, "loop"}};
+
+    /// The block could not be read, for which there is a message: what it defines is not known.
+    bool isSpoilt(const Node& root, const std::string& block) const {
+        if (const Node* node = root.find(block)) return !node->isMap();
+        const Declaration& top = *reader_.registry.find(Kind::block, "case");
+        return top.parameter(block)->required ||
+               std::any_of(root.entries.begin(), root.entries.end(), [&](const Node::Entry& entry) {
+                   return !top.parameter(entry.key) && isNear(entry.key, block);
+               });
+    }
+
+    /// " (also in line 22)".
+    static std::string alsoIn(const std::vector<Place>& places) {
+        std::string lines;
+        std::size_t count = 0;
+        for (std::size_t k = 1; k < places.size(); ++k) {
+            if (places[k].source != places[0].source || places[k].line == places[k - 1].line)
+                continue;
+            lines += (lines.empty() ? "" : ", ") + std::to_string(places[k].line);
+            ++count;
+        }
+        if (count == 0) return "";
+        return (count == 1 ? " (also in line " : " (also in lines ") + lines + ")";
+    }
+
+    /// What references may ask of it; nothing where its material is not known or not for its kind.
+    void judgeBody(const NamedBody& body) {
+        const BodyKind kind = body.block.kind;
+        const Name& name = body.block.material;
+        const Component* material = findComponent(block_.materials, name.text);
+        if (!name.empty() && !(material && material->declaration)) return;
+        if (material && kind != BodyKind::observer) {
+            const bool fluid = kind == BodyKind::fluid;
+            if (fluid != material->declaration->hasTrait("fluid")) {
+                report(name.place,
+                       "'" + body.name + "' is a " + (fluid ? "fluid" : "solid") +
+                           ", but the material '" + material->name + "' (" +
+                           material->declaration->name() + ") is for " +
+                           (fluid ? "solids: give it 'kind: solid' or the material of a fluid"
+                                  : "fluids: give it 'kind: fluid' or the material of a solid"));
+                return;
+            }
+        }
+        traits_[body.name] = bodyTraits(kind, material);
+    }
+
     bool report(const Place& place, std::string message) {
         return reader_.error(place, std::move(message));
     }
@@ -92,9 +157,17 @@ class NameCheck {
                 const std::string& what) {
         const Words& known = known_[target];
         if (std::find(known.begin(), known.end(), name) != known.end()) return true;
-        return report(reference.name.place,
-                      "there is no " + what + " '" + name + "'" +
-                          (known.empty() ? "; the case defines none" : didYouMean(name, known)));
+        if (spoilt_.contains(target)) return false;
+        const Place& place = reference.name.place;
+        Missing& missing = missing_[{target, known.empty() ? "" : name}];
+        if (known.empty()) {  // the first one stands for all
+            if (!missing.places.empty() && missing.places.front() < place) return false;
+            missing.places.clear();
+        }
+        missing.message = "there is no " + what + " '" + name + "'";
+        missing.hint = known.empty() ? "; the case defines none" : didYouMean(name, known);
+        missing.places.push_back(place);
+        return false;
     }
 
     void checkTraits(const Reference& reference, const std::string& body) {
@@ -176,6 +249,8 @@ class NameCheck {
     const CaseBlock& block_;
     Reader& reader_;
     std::map<Target, Words> known_;
+    std::set<Target> spoilt_;
+    std::map<std::pair<Target, std::string>, Missing> missing_;
     std::map<std::string, Words> traits_;
 };
 
@@ -199,32 +274,10 @@ std::pair<std::string, std::string> splitAction(const std::string& text) {
     return {text.substr(0, dot), text.substr(dot + 1)};
 }
 
-void checkNames(const CaseBlock& block, Reader& reader) {
-    NameCheck check(block, reader);
+void checkNames(const CaseBlock& block, const Node& root, Reader& reader) {
+    NameCheck check(block, root, reader);
     for (const Reference& reference : reader.references) check.check(reference);
-}
-
-void warnUnused(const CaseBlock& block, const Reader& reader) {
-    reader.scope.warnUnused(reader.diagnostics);
-    std::set<std::pair<Target, std::string>> used;
-    for (const Reference& reference : reader.references) {
-        const bool action = reference.target == Target::action;
-        used.emplace(action ? Target::method : reference.target,
-                     action ? splitAction(reference.name.text).first : reference.name.text);
-    }
-    const auto warn = [&](Target target, const char* what, const std::string& name,
-                          const Place& place) {
-        const bool included = place.source && place.source->order != 0;
-        if (!included && !used.contains({target, name}))
-            reader.diagnostics.warning(
-                place, std::string("the ") + what + " '" + name + "' is never used");
-    };
-    for (const NamedShape& shape : block.geometry)
-        warn(Target::shape, "shape", shape.name, shape.place);
-    for (const Component& material : block.materials)
-        warn(Target::material, "material", material.name, material.place);
-    for (const Component& method : block.dynamics)
-        warn(Target::method, "method", method.name, method.place);
+    check.reportMissing();
 }
 
 }  // namespace sphinx::model

@@ -9,11 +9,13 @@
 
 namespace sphinx::model {
 
-/// Checks every reference: the named thing exists and is of the wanted kind.
-void checkNames(const CaseBlock& block, input::Reader& reader);
+/// Checks every reference: the named thing exists and is of the wanted kind; and that bodies are of
+/// a material for their kind. One mistake is told once, however many references follow it.
+void checkNames(const CaseBlock& block, const input::Node& root, input::Reader& reader);
 
 /// Checks what several values say together; all names are right by now.
-void checkSense(const CaseBlock& block, input::Diagnostics& diagnostics);
+void checkSense(const CaseBlock& block, const input::UnitSystem& units,
+                input::Diagnostics& diagnostics);
 
 /// Warns of definitions in the main file that nothing uses.
 void warnUnused(const CaseBlock& block, const input::Reader& reader);

@@ -41,11 +41,11 @@ Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnost
     const Declaration& declaration = *registry.find(Kind::block, "case");
     CaseBlock block;
     readParameters(root, root.place, reader, {{&declaration, &block}});
-    checkNames(block, reader);
+    checkNames(block, root, reader);
     diagnostics.throwIfErrors();
 
     placeDomain(root, block);
-    checkSense(block, diagnostics);
+    checkSense(block, reader.units, diagnostics);
     diagnostics.throwIfErrors();
     Case model = makeModel(block, reader.units, diagnostics);
     diagnostics.throwIfErrors();

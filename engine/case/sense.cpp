@@ -13,8 +13,8 @@ using namespace input;
 
 class SenseCheck {
  public:
-    SenseCheck(const CaseBlock& block, Diagnostics& diagnostics)
-        : block_(block), diagnostics_(diagnostics) {}
+    SenseCheck(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics)
+        : block_(block), time_unit_(units.suffix(unit::time)), diagnostics_(diagnostics) {}
 
     void run() {
         if (block_.bodies.empty())
@@ -88,15 +88,6 @@ class SenseCheck {
             diagnostics_.error(*given(body, "particles"), "particles is empty");
         if (b.initial && b.initial->pressure && !fluid)
             diagnostics_.error(*given(body, "initial"), "only a fluid has an initial pressure");
-        for (const Component& material : block_.materials) {
-            if (material.name != b.material.text) continue;
-            if (fluid != material.declaration->hasTrait("fluid"))
-                diagnostics_.error(b.material.place,
-                                   "'" + body.name + "' is a " + (fluid ? "fluid" : "solid") +
-                                       ", but the material '" + material.name + "' (" +
-                                       material.declaration->name() + ") is for " +
-                                       (fluid ? "solids" : "fluids"));
-        }
     }
 
     void checkParts(const NamedBody& body) {
@@ -226,13 +217,14 @@ class SenseCheck {
         const double start = block_.loop.start_time;
         if (step.window.from && *step.window.from < start)
             diagnostics_.error(step.run.place,
-                               fmt::format("from is {} but must be at least start_time, {}",
-                                           *step.window.from, start));
+                               fmt::format("from is {0}{2} but must be at least start_time, {1}{2}",
+                                           *step.window.from, start, time_unit_));
         if (step.window.until && *step.window.until <= start)
-            diagnostics_.error(step.run.place,
-                               fmt::format("until is {} but must be above start_time, {}: {} would "
-                                           "never act",
-                                           *step.window.until, start, step.run.text));
+            diagnostics_.error(
+                step.run.place,
+                fmt::format(
+                    "until is {0}{3} but must be above start_time, {1}{3}: {2} would never act",
+                    *step.window.until, start, step.run.text, time_unit_));
     }
     void checkSteps(const std::vector<StepBlock>& steps, const std::string& where) {
         for (const StepBlock& step : steps) {
@@ -246,14 +238,15 @@ class SenseCheck {
     }
 
     const CaseBlock& block_;
+    const std::string time_unit_;
     Diagnostics& diagnostics_;
     std::set<std::string> layers_;
 };
 
 }  // namespace
 
-void checkSense(const CaseBlock& block, Diagnostics& diagnostics) {
-    SenseCheck(block, diagnostics).run();
+void checkSense(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics) {
+    SenseCheck(block, units, diagnostics).run();
 }
 
 }  // namespace sphinx::model

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "input/type.h"
+#include "input/units.h"
 
 #include <any>
 #include <cassert>
 #include <deque>
 #include <functional>
+#include <type_traits>
 #include <typeinfo>
 
 namespace sphinx::input {
@@ -104,7 +106,7 @@ class Declaration {
     /// is placed at that parameter.
     struct Rule {
         std::string parameter;
-        std::function<std::string(const void*)> violated;
+        std::function<std::string(const void*, const UnitSystem&)> violated;
     };
     const std::vector<Rule>& rules() const { return rules_; }
 
@@ -165,10 +167,18 @@ class Declared final : public Declaration {
         return parameter("", true, member, type.base(), std::move(doc));
     }
 
-    Declared& check(std::string parameter, std::function<std::string(const P&)> violated) {
-        rules_.push_back({std::move(parameter), [violated = std::move(violated)](const void* p) {
-                              return violated(*static_cast<const P*>(p));
-                          }});
+    /// `violated` takes the parameters and, where its message has numbers with a unit, the units.
+    template <class Violated>
+    Declared& check(std::string parameter, Violated violated) {
+        const auto call = [violated](const void* parameters,
+                                     [[maybe_unused]] const UnitSystem& units) -> std::string {
+            const P& p = *static_cast<const P*>(parameters);
+            if constexpr (std::is_invocable_v<Violated, const P&, const UnitSystem&>)
+                return violated(p, units);
+            else
+                return violated(p);
+        };
+        rules_.push_back({std::move(parameter), call});
         return *this;
     }
 

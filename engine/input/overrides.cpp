@@ -33,6 +33,11 @@ Node* findItem(Node& list, const std::string& word) {
     return is_number && index < list.items.size() ? &list.items[index] : nullptr;
 }
 
+bool isVariable(const Node& root, const std::string& name) {
+    const Node* variables = root.find("variables");
+    return variables && variables->find(name);
+}
+
 void apply(Node& root, const std::vector<Piece>& path, const std::vector<std::string>& named_blocks,
            Node value, Diagnostics& diagnostics) {
     Node* node = &root;
@@ -57,6 +62,20 @@ void apply(Node& root, const std::vector<Piece>& path, const std::vector<std::st
             Node* present = node->find(piece.text);
             const bool named = k == 1 && std::find(named_blocks.begin(), named_blocks.end(),
                                                    path[0].text) != named_blocks.end();
+            if (!present && k == 0 && path.size() == 1 && isVariable(root, piece.text)) {
+                diagnostics.error(
+                    piece.place,
+                    "'" + piece.text + "' is a variable: write variables." + piece.text);
+                return;
+            }
+            if (const auto bracket = piece.text.find('[');
+                !present && bracket != std::string::npos) {
+                const std::string list =
+                    (so_far.empty() ? "" : so_far + ".") + piece.text.substr(0, bracket);
+                diagnostics.error(piece.place, "items of a list are named by their number: write " +
+                                                   list + ".0 for the first one");
+                return;
+            }
             if (!present && named) {
                 diagnostics.error(piece.place, so_far + " has no '" + piece.text + "'" +
                                                    didYouMean(piece.text, keys(*node)));

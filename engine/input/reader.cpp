@@ -17,21 +17,29 @@ std::vector<std::string> acceptedKeys(const std::vector<Part>& parts,
     return keys;
 }
 
-/// `unknown` are keys of the node that nothing accepts: a required key that one of them is nearly
-/// is not missed a second time.
+/// Required keys that the node lacks, and that none of its unknown keys is nearly.
+std::vector<std::string> missingKeys(const Node& node, const std::vector<Part>& parts,
+                                     const std::vector<const Node::Entry*>& unknown) {
+    std::vector<std::string> missing;
+    for (const Part& part : parts)
+        for (const Parameter& p : part.declaration->parameters()) {
+            const bool misspelt =
+                std::any_of(unknown.begin(), unknown.end(),
+                            [&](const Node::Entry* entry) { return isNear(entry->key, p.name); });
+            if (p.required && !misspelt && !node.find(p.name)) missing.push_back(p.name);
+        }
+    return missing;
+}
+
 bool readOne(const Node& node, const Place& place, Reader& reader, const Part& part,
-             const std::vector<std::string>& unknown) {
+             const std::vector<std::string>& missing) {
     bool good = true;
-    const auto misspelt = [&](const std::string& name) {
-        return std::any_of(unknown.begin(), unknown.end(),
-                           [&](const std::string& key) { return isNear(key, name); });
-    };
     for (const Parameter& p : part.declaration->parameters()) {
         const auto entry =
             std::find_if(node.entries.begin(), node.entries.end(),
                          [&](const Node::Entry& entry) { return entry.key == p.name; });
         if (entry == node.entries.end()) {
-            if (p.required && !misspelt(p.name))
+            if (std::find(missing.begin(), missing.end(), p.name) != missing.end())
                 good = reader.error(place, reader.label + " lacks '" + p.name + "': " + p.doc);
             continue;
         }
@@ -47,7 +55,7 @@ bool readOne(const Node& node, const Place& place, Reader& reader, const Part& p
 
 bool checkRules(const Node& node, const Place& place, Reader& reader, const Part& part) {
     for (const Declaration::Rule& rule : part.declaration->rules()) {
-        const std::string violation = rule.violated(part.parameters);
+        const std::string violation = rule.violated(part.parameters, reader.units);
         if (violation.empty()) continue;
         const Node* given = node.find(rule.parameter);
         return reader.error(given ? given->place : place, violation);
@@ -81,19 +89,26 @@ bool readParameters(const Node& node, const Place& place, Reader& reader,
         return value.type->read(node, reader, value.member(parts[0].parameters)) &&
                checkRules(node, node.place, reader, parts[0]);
     }
-    if (!node.isMap())
-        return reader.error(node, reader.label + " is " + describeNode(node) +
-                                      " but must be a map {key: value, ...}");
-    bool good = true;
     const std::vector<std::string> accepted = acceptedKeys(parts, other_keys);
-    std::vector<std::string> unknown;
-    for (const Node::Entry& entry : node.entries) {
-        if (std::find(accepted.begin(), accepted.end(), entry.key) != accepted.end()) continue;
-        unknown.push_back(entry.key);
-        good = reader.error(entry.place,
-                            "unknown key '" + entry.key + "'" + didYouMean(entry.key, accepted));
+    if (!node.isMap())
+        return reader.error(node, reader.label + " is " + describeNode(node) + " but must be " +
+                                      mapOfKeys(accepted));
+    std::vector<const Node::Entry*> unknown;
+    for (const Node::Entry& entry : node.entries)
+        if (std::find(accepted.begin(), accepted.end(), entry.key) == accepted.end())
+            unknown.push_back(&entry);
+    std::vector<std::string> missing = missingKeys(node, parts, unknown);
+    for (const Node::Entry* entry : unknown) {
+        std::string message = "unknown key '" + entry->key + "'" + didYouMean(entry->key, accepted);
+        // Probably it stands for one that is missing: one mistake, one message.
+        if (!missing.empty() && !nearest(entry->key, accepted)) {
+            message += "; missing: " + joined(missing);
+            missing.clear();
+        }
+        reader.error(entry->place, std::move(message));
     }
-    for (const Part& part : parts) good = readOne(node, place, reader, part, unknown) && good;
+    bool good = unknown.empty();
+    for (const Part& part : parts) good = readOne(node, place, reader, part, missing) && good;
     for (const Part& part : parts)
         if (good) good = checkRules(node, place, reader, part);
     return good;

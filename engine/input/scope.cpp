@@ -101,6 +101,13 @@ struct Scope::Evaluation {
             }
         }
         if (value) return finite(node, *value);
+        if (const auto comma = text.find(','); comma != std::string::npos) {
+            std::string with_point = text;
+            with_point[comma] = '.';
+            if (parseDecimal<double>(with_point))
+                return fail(within(node, comma),
+                            label + ": numbers have a decimal point: " + with_point);
+        }
         if (text.find(':') != std::string::npos && text.find('?') == std::string::npos &&
             isDigit(text[0]))
             return fail(node.place, label + " is '" + text +

@@ -33,20 +33,28 @@ bool isNear(std::string_view wrong, std::string_view name) {
     return distance <= most && distance < wrong.size();
 }
 
-std::string didYouMean(std::string_view wrong, const std::vector<std::string>& known) {
-    if (known.empty()) return "";
+std::optional<std::string> nearest(std::string_view wrong, const std::vector<std::string>& known) {
     const std::string* best = nullptr;
     for (const std::string& name : known) {
         // "acoustic_time_step" without its family is a near miss too.
         if (name.size() > wrong.size() && name.ends_with(wrong) &&
             name[name.size() - wrong.size() - 1] == '.')
-            return "; did you mean '" + name + "'?";
+            return name;
         if (isNear(wrong, name) &&
             (!best || editDistance(wrong, name) < editDistance(wrong, *best)))
             best = &name;
     }
-    if (best) return "; did you mean '" + *best + "'?";
+    return best ? std::optional(*best) : std::nullopt;
+}
+
+std::string didYouMean(std::string_view wrong, const std::vector<std::string>& known) {
+    if (known.empty()) return "";
+    if (const auto near = nearest(wrong, known)) return "; did you mean '" + *near + "'?";
     return "; known: " + joined(known);
+}
+
+std::string mapOfKeys(const std::vector<std::string>& keys) {
+    return "a map; its keys: " + joined(keys);
 }
 
 std::string joined(const std::vector<std::string>& words) {

@@ -34,6 +34,8 @@ class TypeBase {
     virtual Node schema(SchemaBuilder& builder) const = 0;
     /// For people: "number above 0, mass/length^3".
     virtual std::string text() const = 0;
+    /// The same in a message, behind "must be".
+    virtual std::string wanted() const { return text(); }
 
     /// Names of things that the value refers to.
     virtual void names(const void*, std::vector<Name>&) const {}

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "input/reader.h"
+#include "input/suggest.h"
 #include "input/type_support.h"
 #include "input/type_templates.h"
 
@@ -152,6 +153,11 @@ class StructureType final : public TypeBase {
         return builder.define(declaration_.name(), [&] { return builder.object(declaration_); });
     }
     std::string text() const override { return "map, see '" + declaration_.name() + "'"; }
+    std::string wanted() const override {
+        std::vector<std::string> keys;
+        for (const Parameter& p : declaration_.parameters()) keys.push_back(p.name);
+        return mapOfKeys(keys);
+    }
     void names(const void* value, std::vector<Name>& names) const override {
         for (const Parameter& p : declaration_.parameters()) p.type->names(p.in(value), names);
     }
@@ -170,7 +176,7 @@ class WordOrType final : public TypeBase {
         if (node.isScalar() && node.text == word_) return true;
         if (node.isScalar())
             return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be '" + word_ + "' or " + type_->text());
+                                          " but must be '" + word_ + "' or " + type_->wanted());
         return type_->read(node, reader, access_.engage(out));
     }
     Node write(const void* value, const Node* source) const override {

@@ -22,8 +22,8 @@ class NumberType final : public TypeBase {
         const auto value = reader.number(node, rule_.unit());
         if (!value) return false;
         if (const std::string violation = rule_.violation(*value); !violation.empty())
-            return reader.error(node,
-                                fmt::format("{} is {} but {}", reader.label, *value, violation));
+            return reader.error(node, fmt::format("{} is {}{} but {}", reader.label, *value,
+                                                  reader.units.suffix(rule_.unit()), violation));
         *static_cast<double*>(out) = *value;
         return true;
     }
@@ -163,8 +163,8 @@ class WallSecondsType final : public TypeBase {
             reader.scope.number(node, unit::time, reader.label, UnitSystem{}, reader.diagnostics);
         if (!value) return false;
         if (*value <= 0)
-            return reader.error(node,
-                                fmt::format("{} is {} but must be above 0", reader.label, *value));
+            return reader.error(
+                node, fmt::format("{} is {} s but must be above 0", reader.label, *value));
         *static_cast<double*>(out) = *value;
         return true;
     }

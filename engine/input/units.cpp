@@ -139,7 +139,25 @@ std::optional<Unit> parseUnit(std::string_view text) {
     return product;
 }
 
+namespace {
+
+/// "1 kg / m3" as it should be written: kg/m^3.
+std::string tidyUnit(std::string_view text) {
+    std::string tidy;
+    for (const char c : text) {
+        const bool digit = c >= '0' && c <= '9';
+        if (c == ' ' || (digit && tidy.empty())) continue;
+        if (digit && isLetter(tidy.back())) tidy += '^';
+        tidy += c;
+    }
+    return tidy;
+}
+
+}  // namespace
+
 std::string suggestUnit(std::string_view text) {
+    if (const std::string tidy = tidyUnit(text); parseUnit(tidy))
+        return "; did you mean '" + tidy + "'?";
     std::vector<std::string> names;
     for (const NamedUnit& named : named_units) names.emplace_back(named.name);
     // The first factor that is no unit is the one to talk about.
@@ -185,8 +203,19 @@ double UnitSystem::convert(double value, const Unit& given) const {
     return ratio.exponent == 0 ? value : shifted(value, ratio.exponent);
 }
 
-std::string UnitSystem::name(Dimension dimension) const {
-    return none ? "-" : powers(dimension, length, time, mass);
+std::string UnitSystem::text(Dimension dimension) const {
+    if (none || dimension == unit::none) return "";
+    if (length == "m" && time == "s" && mass == "kg") {
+        if (dimension == unit::pressure) return "Pa";
+        if (dimension == unit::force) return "N";
+        if (dimension == unit::energy) return "J";
+    }
+    return powers(dimension, length, time, mass);
+}
+
+std::string UnitSystem::suffix(Dimension dimension) const {
+    const std::string unit = text(dimension);
+    return unit.empty() ? "" : " " + unit;
 }
 
 std::string dimensionText(Dimension dimension) {

@@ -34,8 +34,11 @@ struct UnitSystem {
 
     /// value in `unit`, in the units of the case; the dimension is not checked.
     double convert(double value, const Unit& unit) const;
-    /// Name of the case's unit of that dimension: "mg/mm^3", or "1" with `none`.
-    std::string name(Dimension dimension) const;
+    /// The unit of a quantity as results and messages name it: "mg/mm^3", in SI also Pa, N and J.
+    /// Empty for a plain number and with `none`.
+    std::string text(Dimension dimension) const;
+    /// The same behind a number: " mg/mm^3".
+    std::string suffix(Dimension dimension) const;
 };
 
 /// "mass/length^3", or "-" for a plain number.

@@ -5,13 +5,7 @@
 namespace sphinx::io {
 
 std::string unitText(const Dimension& dimension, const input::UnitSystem& units) {
-    if (units.none || dimension == unit::none) return "";
-    if (units.length == "m" && units.time == "s" && units.mass == "kg") {
-        if (dimension == unit::pressure) return "Pa";
-        if (dimension == unit::force) return "N";
-        if (dimension == unit::energy) return "J";
-    }
-    return units.name(dimension);
+    return units.text(dimension);
 }
 
 }  // namespace sphinx::io

@@ -27,10 +27,10 @@ const char* rankName(Rank rank) {
 void registerFields(input::Registry& registry) {
     const input::UnitSystem si;
     for (const FieldInfo* info : fields::all()) {
-        const std::string unit = si.name(info->unit);
+        const std::string unit = si.text(info->unit);
         registry.declare<NoParameters>(input::Kind::field, std::string(info->name))
             .summary(fmt::format("{} ({}{})", info->doc, rankName(info->rank),
-                                 info->unit == unit::none ? "" : ", " + unit));
+                                 unit.empty() ? "" : ", " + unit));
     }
 }
 

@@ -25,7 +25,8 @@ void declareBodyForce(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::dynamics, "force.body_force");
     d.summary("Force per mass on a body, as expressions of place and time");
     d.formula("dv_i/dt += f(r_i, t)");
-    d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}), "body");
+    d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}),
+               "fluid or elastic body");
     d.required("acceleration", &P::acceleration, input::fieldVector(unit::acceleration),
                "force per mass, one expression of x, y, z, t for each direction");
     d.action("", "").reads("body", {"position"}).accumulates("body", {"external_acceleration"});

@@ -24,7 +24,8 @@ void declareGravity(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::dynamics, "force.gravity");
     d.summary("Uniform gravity on a body");
     d.formula("dv_i/dt += g");
-    d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}), "body");
+    d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}),
+               "fluid or elastic body");
     d.required("acceleration", &P::acceleration, input::coordinates(unit::acceleration),
                "acceleration of free fall, a vector");
     d.action("", "").accumulates("body", {"external_acceleration"});

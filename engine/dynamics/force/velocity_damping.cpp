@@ -23,7 +23,8 @@ void declareVelocityDamping(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::dynamics, "force.velocity_damping");
     d.summary("Drag in proportion to mass and velocity, which brings a body to rest");
     d.formula("dv_i/dt = -rate v_i, by v_i *= exp(-rate dt)");
-    d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}), "body");
+    d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}),
+               "fluid or elastic body");
     d.required("rate", &P::rate, input::number(unit::frequency).above(0),
                "part of the velocity that is lost per time");
     d.action("", "").reads("body", {"velocity"}).writes("body", {"velocity"});

@@ -16,7 +16,7 @@ void declareSort(input::Registry& registry) {
     using P = SortParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "particles.sort");
     d.summary("Reorders the particles of a body in memory by place, for speed");
-    d.required("body", &P::body, input::bodyReference({"fluid"}), "body");
+    d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.trait("permutes");
     d.action("", "").reads("body", {"position"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {

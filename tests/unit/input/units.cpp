@@ -36,9 +36,11 @@ TEST_CASE("Powers of ten scale exactly") {
     CHECK(convert(small, 7.8, "MPa") == 7.8e3);  // 1 mg/(mm ms^2) is 1 kPa
     CHECK(convert(small, 9.8, "m/s^2") == 9.8e-3);
     CHECK(convert(small, 1000, "kg/m^3") == 1);
-    CHECK(small.name(unit::density) == "mg/mm^3");
-    CHECK(small.name(unit::pressure) == "mg/(mm*ms^2)");
-    CHECK(si.name(unit::none) == "-");
+    CHECK(small.text(unit::density) == "mg/mm^3");
+    CHECK(small.text(unit::pressure) == "mg/(mm*ms^2)");
+    CHECK(si.text(unit::none).empty());
+    CHECK(si.suffix(unit::none).empty());
+    CHECK(si.suffix(unit::pressure) == " Pa");
 }
 
 TEST_CASE("A wrong unit is named by its wrong factor") {
