@@ -3,6 +3,8 @@
 #pragma once
 
 #include "bodies/body.h"
+#include "core/place_text.h"
+#include "input/units.h"
 
 #include <array>
 #include <memory>
@@ -37,8 +39,17 @@ struct Domain {
 /// All bodies of a case and the space they live in.
 template <int Dim>
 struct World {
+    input::UnitSystem units;  ///< of messages
     Domain<Dim> domain;
     std::vector<std::unique_ptr<Body<Dim>>> bodies;
+
+    /// "0.1 m", "(1, 2) m", for messages.
+    std::string quantityText(double value, Dimension dimension) const {
+        return fmt::format("{:g}{}", value, units.suffix(dimension));
+    }
+    std::string placeText(const Vec<Dim>& p) const {
+        return sphinx::placeText<Dim>(p) + units.suffix(unit::length);
+    }
 
     Body<Dim>* find(std::string_view name) const {
         for (const auto& body : bodies)

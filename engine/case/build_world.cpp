@@ -89,6 +89,7 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
     checkLattices<Dim>(model, diagnostics);
     diagnostics.throwIfErrors();
     auto world = std::make_unique<World<Dim>>();
+    world->units = model.units;
     world->domain = makeDomain<Dim>(model);
 
     std::map<std::string, std::shared_ptr<const Material>> materials;

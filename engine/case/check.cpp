@@ -56,22 +56,23 @@ double memory(const World<Dim>& world) {
     return sum;
 }
 
-void printLayer(const loop::LayerFacts& layer, const Layer& source, int depth, std::string& out) {
+void printLayer(const loop::LayerFacts& layer, const Layer& source, int depth,
+                const std::string& time_unit, std::string& out) {
     const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
     std::string dt;
     for (const loop::LineFacts& estimate : layer.dt)
         dt += (dt.empty() ? "" : ", ") + estimate.label;
-    if (source.dt) dt += (dt.empty() ? "" : ", ") + fmt::format("{:g}", *source.dt);
+    if (source.dt) dt += (dt.empty() ? "" : ", ") + fmt::format("{:g}{}", *source.dt, time_unit);
     out += fmt::format("{}{} (dt: {})\n", indent, layer.name, dt);
     for (std::size_t k = 0; k < layer.steps.size(); ++k) {
         const auto& value = layer.steps[k].value;
         if (const auto* inner = std::get_if<loop::LayerFacts>(&value)) {
-            printLayer(*inner, *source.steps[k].layer, depth + 1, out);
+            printLayer(*inner, *source.steps[k].layer, depth + 1, time_unit, out);
             continue;
         }
         const auto& line = std::get<loop::LineFacts>(value);
         out += fmt::format("{}  {}{}", indent, line.label, line.sometimes ? " (sometimes)" : "");
-        if (line.window.limited()) out += fmt::format(" ({})", describe(line.window));
+        if (line.window.limited()) out += fmt::format(" ({})", describe(line.window, time_unit));
         out += '\n';
     }
 }
@@ -141,13 +142,14 @@ CheckReport check(const Case& model) {
 
     std::string out = "bodies\n";
     for (const auto& body : world->bodies)
-        out += fmt::format("  {}: {} particles, spacing {:g}, h {:g}\n", body->name, body->size(),
-                           body->spacing, body->kernel.smoothingLength());
+        out += fmt::format("  {}: {} particles, spacing {}, h {}\n", body->name, body->size(),
+                           world->quantityText(body->spacing, unit::length),
+                           world->quantityText(body->kernel.smoothingLength(), unit::length));
     out += fmt::format("memory: about {}\n", sizeText(memory(*world)));
     out += "loop\n";
     for (const loop::LineFacts& line : placed.facts.start)
         out += fmt::format("  start: {}\n", line.label);
-    printLayer(placed.facts.outermost, model.loop.layer, 1, out);
+    printLayer(placed.facts.outermost, model.loop.layer, 1, placed.facts.time_unit, out);
     out += outputsText(model, outputs, diagnostics);
     return {model.warnings + diagnostics.text(), out};
 }

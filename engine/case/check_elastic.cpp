@@ -52,8 +52,9 @@ void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics
                 source.place,
                 fmt::format(
                     "{} is elastic and reaches across the periodic side in {}: its particles "
-                    "must leave a gap of {:g} or more, here it is {:g}",
-                    body.name, "xyz"[axis], reach, std::max(gap, 0.0)));
+                    "must leave a gap of {} or more, here it is {}",
+                    body.name, "xyz"[axis], world.quantityText(reach, unit::length),
+                    world.quantityText(std::max(gap, 0.0), unit::length)));
             break;
         }
     }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check_loads.h"
 
-#include "core/place_text.h"
 #include "dynamics/constraint/clamp.h"
 #include "dynamics/constraint/prescribed_motion.h"
 #include "dynamics/force/surface_pressure.h"
@@ -32,7 +31,7 @@ void checkMotion(const Component& method, const World<Dim>& world, double start_
             method.placeOf("displacement"),
             fmt::format("the displacement at {} is {} at the start, but must be zero there: the "
                         "particles start where the shape has them",
-                        placeText<Dim>(x), placeText<Dim>(u)));
+                        world.placeText(x), world.placeText(u)));
         return;
     }
 }
@@ -56,7 +55,7 @@ void checkSurface(const Component& method, const World<Dim>& world,
         if (length > 0 && std::isfinite(length)) continue;
         diagnostics.error(method.placeOf("normal"),
                           fmt::format("the normal has no direction at {}: its length is {:g}",
-                                      placeText<Dim>(x), length));
+                                      world.placeText(x), length));
         return;
     }
 }

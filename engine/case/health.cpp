@@ -5,7 +5,6 @@
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
-#include "core/place_text.h"
 #include "materials/elastic_solid.h"
 #include "materials/fluid.h"
 
@@ -98,7 +97,7 @@ std::string Health<Dim>::lastPlace(const sphinx::Body<Dim>& body, std::int64_t i
     const auto found = std::find(last.ids.begin(), last.ids.end(), id);
     if (found == last.ids.end()) return "";
     const Vec<Dim>& position = last.positions[static_cast<std::size_t>(found - last.ids.begin())];
-    return ", last seen at " + placeText<Dim>(position) + ",";
+    return ", last seen at " + world_.placeText(position) + ",";
 }
 
 template <int Dim>
@@ -113,17 +112,18 @@ void Health<Dim>::check(const Clock& clock) {
         if (speed > speed_limit * fluid->soundSpeed() && !warned_speed_[body->name]) {
             warned_speed_[body->name] = true;
             log::warning(fmt::format(
-                "time {:g}: {} moves at {:.3g}, more than a tenth of its sound speed {:.3g}; "
+                "time {}: {} moves at {:.3g}{}, more than a tenth of its sound speed {:.3g}{}; "
                 "raise sound_speed",
-                clock.time, body->name, speed, fluid->soundSpeed()));
+                world_.quantityText(clock.time, unit::time), body->name, speed,
+                world_.units.suffix(unit::velocity), fluid->soundSpeed(),
+                world_.units.suffix(unit::velocity)));
         }
         const double rho0 = fluid->density();
         if (e.density > density_limit * rho0 && !warned_density_[body->name]) {
             warned_density_[body->name] = true;
-            log::warning(
-                fmt::format("time {:g}: the density of {} is off by {:.1f} % (up to 3 % "
-                            "is normal)",
-                            clock.time, body->name, 100 * e.density / rho0));
+            log::warning(fmt::format(
+                "time {}: the density of {} is off by {:.1f} % (up to 3 % is normal)",
+                world_.quantityText(clock.time, unit::time), body->name, 100 * e.density / rho0));
         }
     }
     if (clock.steps % steps_between_places == 0) remember();
@@ -144,15 +144,16 @@ void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const 
                 const std::int64_t id = particles.id()[i];
                 const auto writer = last_writer_.find({body.name, std::string(info->name)});
                 throw PhysicsError(fmt::format(
-                    "{} of particle {} of {}{} is {} after {} at time {:g}; a smaller cfl{} may "
+                    "{} of particle {} of {}{} is {} after {} at time {}; a smaller cfl{} may "
                     "help",
                     info->name, id, body.name, lastPlace(body, id), value,
-                    writer == last_writer_.end() ? "the step" : writer->second, clock.time,
+                    writer == last_writer_.end() ? "the step" : writer->second,
+                    world_.quantityText(clock.time, unit::time),
                     body.kind == BodyKind::fluid ? " or a higher sound_speed" : ""));
             }
     }
-    throw PhysicsError(
-        fmt::format("speeds of {} are too large to square at time {:g}", body.name, clock.time));
+    throw PhysicsError(fmt::format("speeds of {} are too large to square at time {}", body.name,
+                                   world_.quantityText(clock.time, unit::time)));
 }
 
 template class Health<2>;

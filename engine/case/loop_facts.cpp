@@ -32,6 +32,7 @@ class FactsMaker {
         }
         facts.makers = fieldMakers();
         facts.start_time = model_.loop.start_time;
+        facts.time_unit = model_.units.suffix(unit::time);
         for (const Step& step : model_.loop.start) facts.start.push_back(line(step));
         facts.outermost = layer(model_.loop.layer);
         return std::move(result_);

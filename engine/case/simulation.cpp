@@ -98,25 +98,39 @@ class Simulation {
     }
 
     void finish(const loop::Outcome& outcome) {
+        tellRemoved();
         const loop::Profile profile = runner_->profile();
         for (const std::string& line : loop::profileTable(profile)) log::info(line);
         if (options_.outputs) loop::writeProfile(profile, folder_ / "profile.json");
         if (!outcome.finished) outputs_->writeLastResort(runner_->clock());
         if (outcome.finished)
             log::info(fmt::format(
-                "done at time {:g}{}", runner_->clock().time,
+                "done at time {}{}", timeText(),
                 options_.outputs ? "; results are in " + folder_.string() : std::string()));
         else
             log::info(fmt::format(
-                "stopped at time {:g}: {}; {}", runner_->clock().time, outcome.reason,
+                "stopped at time {}: {}; {}", timeText(), outcome.reason,
                 options_.outputs ? "go on with --resume" : "without outputs there is no restart"));
+    }
+
+    std::string timeText() const { return world_->quantityText(runner_->clock().time, unit::time); }
+
+    /// Particles that lost_particles: remove took since the first start of the run.
+    void tellRemoved() const {
+        for (const auto& body : world_->bodies) {
+            const ParticleSet<Dim>& particles = body->particles;
+            const auto removed = particles.nextId() - static_cast<std::int64_t>(particles.size());
+            if (removed > 0)
+                log::info(fmt::format("{}: {} particles left the domain and were removed",
+                                      body->name, removed));
+        }
     }
 
     void logStart() const {
         for (const std::string& line : source_.warnings) log::warning(line);
         if (resuming())
-            log::info(fmt::format("going on from {} at time {:g}", source_.file.string(),
-                                  runner_->clock().time));
+            log::info(
+                fmt::format("going on from {} at time {}", source_.file.string(), timeText()));
         for (const auto& body : world_->bodies)
             log::info(fmt::format("{}: {} particles", body->name, body->size()));
     }

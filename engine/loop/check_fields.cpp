@@ -12,9 +12,7 @@ namespace {
 
 using Defined = std::set<FieldKey>;
 
-bool isField(const FieldAccess& access) {
-    return access.field != pseudo_field::neighbors && access.field != pseudo_field::fresh_neighbors;
-}
+bool isField(const FieldAccess& access) { return !isPseudoField(access.field); }
 
 void define(const FlowNode& node, Defined& defined) {
     if (node.kind == FlowNode::Kind::zero) defined.insert(node.zeroed);
@@ -87,8 +85,8 @@ class FieldCheck {
             reader.label, key.second, key.first, maker.method, key.first);
     }
 
-    static std::string message(const LineFacts& reader, const FieldKey& key,
-                               const Writers& writers) {
+    std::string message(const LineFacts& reader, const FieldKey& key,
+                        const Writers& writers) const {
         const std::string what = fmt::format("{} of {}", key.second, key.first);
         if (writers.always)
             return fmt::format("{} reads {} before {} has written it: call {} earlier, or in start",
@@ -101,7 +99,8 @@ class FieldCheck {
             return fmt::format(
                 "{} reads {}, which {} writes only at times {}: let it be written in "
                 "the other steps before it is read, or in start",
-                reader.label, what, writers.limited->label, describe(writers.limited->window));
+                reader.label, what, writers.limited->label,
+                describe(writers.limited->window, facts_.time_unit));
         if (writers.updates)
             return fmt::format(
                 "{} reads {}, which {} only updates: call a method that computes it "

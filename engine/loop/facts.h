@@ -70,6 +70,7 @@ struct LoopFacts {
     std::vector<BodyFacts> bodies;
     std::vector<ListFacts> lists;
     double start_time = 0;
+    std::string time_unit;  ///< behind times in messages: " ms"
     std::vector<LineFacts> start;
     LayerFacts outermost;
     std::vector<LineFacts> outputs;  ///< read after outermost steps, not in all of them

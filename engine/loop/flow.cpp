@@ -19,7 +19,7 @@ bool hasWindows(const LayerFacts& layer) {
 
 }  // namespace
 
-Flow::Flow(const LoopFacts& facts) : start_time_(facts.start_time) {
+Flow::Flow(const LoopFacts& facts) : start_time_(facts.start_time), time_unit_(facts.time_unit) {
     collectWindows(facts.outermost);
     std::sort(window_edges_.begin(), window_edges_.end());
     window_edges_.erase(std::unique(window_edges_.begin(), window_edges_.end()),
@@ -48,7 +48,7 @@ std::string Flow::epochText(std::size_t epoch) const {
     Window window;
     if (epoch > 0) window.from = window_edges_[epoch - 1];
     if (epoch < window_edges_.size()) window.until = window_edges_[epoch];
-    return window.limited() ? " at times " + describe(window) : "";
+    return window.limited() ? " at times " + describe(window, time_unit_) : "";
 }
 
 void Flow::add(FlowNode node) {

@@ -62,6 +62,7 @@ class Flow {
     void add(FlowNode node);
 
     double start_time_;
+    std::string time_unit_;
     std::vector<double> window_edges_;  // after the start, ascending
     std::vector<FlowNode> nodes_;
     std::vector<std::size_t> ends_;  // nodes that the next one follows

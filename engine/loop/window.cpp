@@ -6,10 +6,11 @@
 
 namespace sphinx::loop {
 
-std::string describe(const Window& window) {
+std::string describe(const Window& window, const std::string& unit) {
     std::string text;
-    if (window.from) text = fmt::format("from {:g}", *window.from);
-    if (window.until) text += fmt::format("{}until {:g}", text.empty() ? "" : " ", *window.until);
+    if (window.from) text = fmt::format("from {:g}{}", *window.from, unit);
+    if (window.until)
+        text += fmt::format("{}until {:g}{}", text.empty() ? "" : " ", *window.until, unit);
     return text;
 }
 

@@ -17,7 +17,7 @@ struct Window {
     bool holds(double time) const { return (!from || time >= *from) && (!until || time < *until); }
 };
 
-/// "from 0.4 until 0.5"; empty when it is not limited.
-std::string describe(const Window& window);
+/// "from 0.4 until 0.5", each with the unit behind it; empty when it is not limited.
+std::string describe(const Window& window, const std::string& unit);
 
 }  // namespace sphinx::loop

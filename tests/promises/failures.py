@@ -78,8 +78,8 @@ class BrokenSolid(Promise):
         said = self.sphinx(case, output, expect=3)
         errors = [line for line in said.splitlines() if line.startswith("error: ")]
         self.assertEqual(len(errors), 1, said)
-        self.assertRegex(errors[0], r"^error: particle \d+ of strip at \(\S+, \S+\) " + message +
-                         r", time \d\S*$")
+        self.assertRegex(errors[0], r"^error: particle \d+ of strip at \(\S+, \S+\) m " + message +
+                         r", time \d\S* s$")
         self.assertTrue((output / "failed/strip_000000.vtu").exists())
         for path in restarts(output).values():
             gradient = Restart(path).values("strip", "deformation_gradient").reshape(-1, 2, 2)
@@ -102,8 +102,8 @@ class BrokenSolid(Promise):
         case = self.case("strip_2d", dynamics__load=load, outputs__restart={
             "type": "restart", "every": {"steps": 1}, "keep": 1})
         said = self.sphinx(case, output, expect=3)
-        self.assertRegex(said, r"error: velocity of particle \d+ of strip, last seen at \(\S+, \S+\), "
-                               r"is -?nan after \S+ at time 0\.2\d*; a smaller cfl may help")
+        self.assertRegex(said, r"error: velocity of particle \d+ of strip, last seen at \(\S+, \S+\) m, "
+                               r"is -?nan after \S+ at time 0\.2\d* s; a smaller cfl may help")
         kept = last_restart(output)
         self.assertGreaterEqual(kept.time, 0.19)
         for field in ("position", "velocity", "acceleration", "deformation_gradient"):

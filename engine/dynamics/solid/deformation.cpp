@@ -49,7 +49,7 @@ Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body, bool hourg
 
 template <int Dim>
 Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body)
-    : relations_(&context.relations),
+    : context_(&context),
       body_(&body),
       solid_(&dynamic_cast<const ElasticSolid&>(*body.material)),
       position_(body.particles.position()),
@@ -71,7 +71,7 @@ Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body)
 template <int Dim>
 void Deformation<Dim>::prepare() {
     if (prepared_) return;
-    for (const Neighbors& n : neighbors_) relations_->build(*n.relation);
+    for (const Neighbors& n : neighbors_) context_->relations.build(*n.relation);
     prepared_ = true;
 }
 
@@ -211,9 +211,10 @@ VecOf<Dim, Wide> Deformation<Dim>::stressDivergence(const Group& group) const {
 
 template <int Dim>
 void Deformation<Dim>::fail(std::size_t i, const std::string& what, const Clock& clock) const {
-    throw PhysicsError(fmt::format("particle {} of {} at {} {}, time {:g}",
-                                   body_->particles.id()[i], body_->name,
-                                   placeText<Dim>(position_[i]), what, clock.time));
+    const World<Dim>& world = context_->world;
+    throw PhysicsError(fmt::format("particle {} of {} at {} {}, time {}", body_->particles.id()[i],
+                                   body_->name, world.placeText(position_[i]), what,
+                                   world.quantityText(clock.time, unit::time)));
 }
 
 template class Deformation<2>;

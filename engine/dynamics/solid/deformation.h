@@ -61,7 +61,7 @@ class Deformation {
     void stress(const Law& law, const Clock& clock, bool damping);
     [[noreturn]] void fail(std::size_t i, const std::string& what, const Clock& clock) const;
 
-    Relations<Dim>* relations_;
+    Context<Dim>* context_;
     Body<Dim>* body_;
     const ElasticSolid* solid_;
     std::vector<Neighbors> neighbors_;

@@ -32,10 +32,10 @@ using Numbers = std::vector<std::int64_t>;
 }  // namespace
 
 TEST_CASE("the text of a window") {
-    CHECK(describe(Window{}) == "");
-    CHECK(describe(Window{0.4, {}}) == "from 0.4");
-    CHECK(describe(Window{{}, 0.5}) == "until 0.5");
-    CHECK(describe(Window{0.4, 0.5}) == "from 0.4 until 0.5");
+    CHECK(describe(Window{}, " ms") == "");
+    CHECK(describe(Window{0.4, {}}, "") == "from 0.4");
+    CHECK(describe(Window{{}, 0.5}, " ms") == "until 0.5 ms");
+    CHECK(describe(Window{0.4, 0.5}, " ms") == "from 0.4 ms until 0.5 ms");
 }
 
 TEST_CASE("a call acts in the substeps that begin within its window") {
