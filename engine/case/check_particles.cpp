@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check_particles.h"
 
-#include "core/place_text.h"
-#include "neighbors/list_builder.h"
+#include "case/check_overlap.h"
 #include "particles/lattice.h"
 
 #include <fmt/format.h>
@@ -36,47 +35,59 @@ double countAbout(const geometry::Shape<Dim>& shape, double spacing) {
 }
 
 template <int Dim>
-void checkDomain(const Body& source, const sphinx::Body<Dim>& body,
-                 const sphinx::Domain<Dim>& domain, input::Diagnostics& diagnostics) {
-    if (body.kind != BodyKind::fluid) return;
+void checkDomain(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
+                 input::Diagnostics& diagnostics) {
+    if (body.kind == BodyKind::solid) return;
     const auto& position = body.particles.position();
     std::size_t outside = 0;
     std::size_t first = 0;
     for (std::size_t i = body.size(); i-- > 0;)
-        if (!domain.bounds.contains(position[i])) {
+        if (!world.domain.bounds.contains(position[i])) {
             ++outside;
             first = i;
         }
-    if (outside > 0)
+    if (outside == 0) return;
+    if (body.kind == BodyKind::fluid)
         diagnostics.error(
             source.place,
             fmt::format("{} of {} particles of {} start outside of the domain, the "
                         "first at {}; enlarge the domain or cut the shape",
-                        outside, body.size(), body.name, placeText<Dim>(position[first])));
+                        outside, body.size(), body.name, world.placeText(position[first])));
+    else
+        diagnostics.warning(
+            source.place,
+            fmt::format("{} of {} points of {} {} outside of the domain, the "
+                        "first at {}",
+                        outside, body.size(), body.name, outside == 1 ? "lies" : "lie",
+                        world.placeText(position[first])));
 }
 
 /// Nearer images of a particle than its reach would be its neighbors.
 template <int Dim>
-void checkPeriod(const Body& source, const sphinx::Body<Dim>& body,
-                 const sphinx::Domain<Dim>& domain, input::Diagnostics& diagnostics) {
+void checkPeriod(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
+                 input::Diagnostics& diagnostics) {
+    const sphinx::Domain<Dim>& domain = world.domain;
     for (int axis = 0; axis < Dim; ++axis) {
         const double period = domain.bounds.upper[axis] - domain.bounds.lower[axis];
         if (domain.periodic[axis] && period < body.kernel.cutoff())
-            diagnostics.error(source.place,
-                              fmt::format("the period in {} is {:g} but must be at least {:g}, the "
-                                          "reach of the kernel of {}",
-                                          "xyz"[axis], period, body.kernel.cutoff(), body.name));
+            diagnostics.error(
+                source.place,
+                fmt::format("the period in {} is {} but must be at least {}, the "
+                            "reach of the kernel of {}",
+                            "xyz"[axis], world.quantityText(period, unit::length),
+                            world.quantityText(body.kernel.cutoff(), unit::length), body.name));
     }
 }
 
 /// An expression of place may have no value somewhere, and a fluid bears no pressure at which its
 /// density would not be positive.
 template <int Dim>
-void checkInitialValues(const Body& source, sphinx::Body<Dim>& body,
+void checkInitialValues(const Body& source, sphinx::Body<Dim>& body, const World<Dim>& world,
                         input::Diagnostics& diagnostics) {
-    const auto report = [&](const char* what, double value, const Vec<Dim>& at) {
-        diagnostics.error(source.place, fmt::format("the initial {} of {} is {:g} at {}", what,
-                                                    body.name, value, placeText<Dim>(at)));
+    const auto report = [&](const FieldInfo& field, double value, const Vec<Dim>& at) {
+        diagnostics.error(source.place,
+                          fmt::format("the initial {} of {} is {} at {}", field.name, body.name,
+                                      world.quantityText(value, field.unit), world.placeText(at)));
     };
     auto& particles = body.particles;
     const auto& velocity = particles.vector(fields::velocity);
@@ -84,43 +95,20 @@ void checkInitialValues(const Body& source, sphinx::Body<Dim>& body,
     const auto& volume = particles.scalar(fields::volume);
     for (std::size_t i = 0; i < body.size(); ++i) {
         const Vec<Dim>& x = particles.position()[i];
-        if (!(volume[i] > 0)) return report("volume", volume[i], x);
-        if (!velocity[i].allFinite()) return report("speed", velocity[i].norm(), x);
-        if (source.initial.pressure) {
-            const double pressure = particles.scalar(fields::pressure)[i];
-            if (!std::isfinite(pressure)) return report("pressure", pressure, x);
-        }
-        if (!(density[i] > 0 && std::isfinite(density[i])))
-            return report("density, which follows from its pressure,", density[i], x);
-    }
-}
-
-/// Particles of two bodies nearer than half a spacing: lattices side by side keep a whole spacing.
-template <int Dim>
-void checkOverlap(const Body& source, const sphinx::Body<Dim>& a, const sphinx::Body<Dim>& b,
-                  const sphinx::Domain<Dim>& domain, input::Diagnostics& diagnostics) {
-    const double limit = 0.5 * std::max(a.spacing, b.spacing) * (1 - 1e-6);
-    CellGrid<Dim> grid_a;
-    CellGrid<Dim> grid_b;
-    grid_a.build(a.particles.position().data(), a.size(), std::max(a.spacing, b.spacing));
-    grid_b.build(b.particles.position().data(), b.size(), std::max(a.spacing, b.spacing));
-    NeighborList<Dim> list;
-    const Kernel<Dim> kernel(KernelType::wendland_c2, limit / WendlandC2<Dim>::reach, limit);
-    buildList(grid_a, grid_b, false, kernel, domain, list);
-    std::size_t close = 0;
-    std::size_t first = 0;
-    for (std::size_t i = a.size(); i-- > 0;)
-        if (list.ranges[i].count > 0) {
-            ++close;
-            first = i;
-        }
-    if (close > 0)
+        if (!(volume[i] > 0)) return report(fields::volume, volume[i], x);
+        if (!velocity[i].allFinite()) return report(fields::velocity, velocity[i].norm(), x);
+        if (!source.initial.pressure) continue;
+        const double pressure = particles.scalar(fields::pressure)[i];
+        if (!std::isfinite(pressure)) return report(fields::pressure, pressure, x);
+        if (density[i] > 0 && std::isfinite(density[i])) continue;
         diagnostics.error(
             source.place,
-            fmt::format("{} overlaps {}: {} of its particles lie nearer than half a spacing to one "
-                        "of {}, the first at {}; subtract one shape from the other",
-                        a.name, b.name, close, b.name,
-                        placeText<Dim>(a.particles.position()[first])));
+            fmt::format("the initial pressure of {} is {} at {}, at which its density would be {} "
+                        "but must be above 0",
+                        body.name, world.quantityText(pressure, unit::pressure), world.placeText(x),
+                        world.quantityText(density[i], unit::density)));
+        return;
+    }
 }
 
 }  // namespace
@@ -133,8 +121,8 @@ void checkParticles(const Case& model, const World<Dim>& world, input::Diagnosti
             diagnostics.error(
                 source.place,
                 fmt::format("{} has no particles: its shape holds no point of the lattice of "
-                            "spacing {:g}",
-                            body.name, body.spacing));
+                            "spacing {}",
+                            body.name, world.quantityText(body.spacing, unit::length)));
             continue;
         }
         for (std::size_t k = 0; k < body.parts.size(); ++k)
@@ -142,23 +130,17 @@ void checkParticles(const Case& model, const World<Dim>& world, input::Diagnosti
                 diagnostics.error(source.parts[k].place,
                                   fmt::format("the part '{}' of {} holds none of its particles",
                                               body.parts[k].name, body.name));
-        checkDomain<Dim>(source, body, world.domain, diagnostics);
+        checkDomain<Dim>(source, body, world, diagnostics);
         if (body.kind == BodyKind::observer) continue;
-        checkPeriod<Dim>(source, body, world.domain, diagnostics);
-        checkInitialValues<Dim>(source, body, diagnostics);
+        checkPeriod<Dim>(source, body, world, diagnostics);
+        checkInitialValues<Dim>(source, body, world, diagnostics);
     }
-    for (std::size_t m = 0; m < world.bodies.size(); ++m)
-        for (std::size_t k = m + 1; k < world.bodies.size(); ++k) {
-            const auto& a = *world.bodies[m];
-            const auto& b = *world.bodies[k];
-            if (a.kind == BodyKind::observer || b.kind == BodyKind::observer) continue;
-            if (a.size() == 0 || b.size() == 0) continue;
-            checkOverlap<Dim>(*model.findBody(a.name), a, b, world.domain, diagnostics);
-        }
+    checkOverlap<Dim>(model, world, diagnostics);
 }
 
 template <int Dim>
 void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
+    const std::string length = model.units.suffix(unit::length);
     for (const Body& source : model.bodies) {
         if (source.shape.empty() || source.particles) continue;
         const auto& shape = *model.findShape(source.shape.text)->as<Dim>();
@@ -168,19 +150,20 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
         if (!(cells.prod() <= most_lattice_points && cells.maxCoeff() <= most_lattice_points)) {
             diagnostics.error(
                 source.place,
-                fmt::format("the lattice of spacing {:g} has {:.3g} points in the box "
+                fmt::format("the lattice of spacing {:g}{} has {:.3g} points in the box "
                             "around {}; the most is {:.0e}",
-                            spacing, cells.prod(), source.name, most_lattice_points));
+                            spacing, length, cells.prod(), source.name, most_lattice_points));
             continue;
         }
         if (cells.prod() <= sampled_points) continue;
         const double count = countAbout<Dim>(shape, spacing);
         if (count * bytes_of_particle > physicalMemory())
-            diagnostics.error(source.place,
-                              fmt::format("the lattice of spacing {:g} gives {} about {:.1g} "
-                                          "particles, which do not fit in the memory of this "
-                                          "machine ({:.2g} GB)",
-                                          spacing, source.name, count, physicalMemory() / 1e9));
+            diagnostics.error(
+                source.place,
+                fmt::format("the lattice of spacing {:g}{} gives {} about {:.1g} "
+                            "particles, which do not fit in the memory of this "
+                            "machine ({:.2g} GB)",
+                            spacing, length, source.name, count, physicalMemory() / 1e9));
     }
 }
 
