@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check_walls.h"
 
-#include "core/place_text.h"
-
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -24,7 +22,7 @@ int layersAt(const sphinx::Body<Dim>& body, const Vec<Dim>& point) {
 }
 
 template <int Dim>
-void checkThickness(const Body& source, const sphinx::Body<Dim>& wall,
+void checkThickness(const Body& source, const World<Dim>& world, const sphinx::Body<Dim>& wall,
                     const sphinx::Body<Dim>& fluid, input::Diagnostics& diagnostics) {
     const auto& position = wall.particles.position();
     std::size_t surface = 0;
@@ -44,14 +42,33 @@ void checkThickness(const Body& source, const sphinx::Body<Dim>& wall,
             source.place,
             fmt::format("{} is only {} layer{} of particles thick, first at {}; {} may leak "
                         "through fewer than {}",
-                        wall.name, fewest, fewest == 1 ? "" : "s", placeText<Dim>(first),
+                        wall.name, fewest, fewest == 1 ? "" : "s", world.placeText(first),
                         fluid.name, layers_needed));
 }
 
 }  // namespace
 
+/// A rigid body acts on those that see it, and on nothing else.
+void checkSeen(const Case& model, input::Diagnostics& diagnostics) {
+    for (const Body& wall : model.bodies) {
+        if (wall.kind != BodyKind::solid || isElastic(model, wall)) continue;
+        const bool seen =
+            std::any_of(model.topology.begin(), model.topology.end(), [&](const Sight& sight) {
+                const Body& seer = *model.findBody(sight.body.text);
+                return (seer.kind == BodyKind::fluid || isElastic(model, seer)) &&
+                       std::any_of(sight.sees.begin(), sight.sees.end(),
+                                   [&](const Contact& c) { return c.body.text == wall.name; });
+            });
+        if (!seen)
+            diagnostics.warning(wall.place, fmt::format("no fluid or elastic body sees {} in "
+                                                        "topology: it holds nothing back",
+                                                        wall.name));
+    }
+}
+
 template <int Dim>
 void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+    checkSeen(model, diagnostics);
     for (const auto& solid : world.bodies) {
         if (solid->kind != BodyKind::solid) continue;
         const sphinx::Body<Dim>* finest = nullptr;  // of the fluids that see it
@@ -66,10 +83,11 @@ void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& 
         if (solid->spacing > finest->spacing * (1 + 1e-9))
             diagnostics.warning(
                 source.place,
-                fmt::format("{} has a spacing of {:g}, coarser than the {:g} of {}, which may leak",
-                            solid->name, solid->spacing, finest->spacing, finest->name));
+                fmt::format("{} has a spacing of {}, coarser than the {} of {}, which may leak",
+                            solid->name, world.quantityText(solid->spacing, unit::length),
+                            world.quantityText(finest->spacing, unit::length), finest->name));
         if (solid->shape && dynamic_cast<const Rigid*>(solid->material.get()))
-            checkThickness<Dim>(source, *solid, *finest, diagnostics);
+            checkThickness<Dim>(source, world, *solid, *finest, diagnostics);
     }
 }
 

@@ -9,7 +9,8 @@
 namespace sphinx::model {
 
 /// Warns of solids through which a fluid that sees them may leak: rigid ones of fewer than three
-/// layers of particles, and any with a coarser spacing than the fluid.
+/// layers of particles, and any with a coarser spacing than the fluid; and of rigid bodies that
+/// nothing sees.
 template <int Dim>
 void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
 
