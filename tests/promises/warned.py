@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is doubtful is said once, on the terminal and in the log, and the run goes on."""
 
+import math
+import re
 import subprocess
 import unittest
 
@@ -16,8 +18,8 @@ class Warned(Promise):
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
 
-    def run_with(self, *arguments):
-        said = self.sphinx(self.case("splash_2d"), self.folder / "out", *arguments)
+    def run_with(self, *arguments, **changes):
+        said = self.sphinx(self.case("splash_2d", **changes), self.folder / "out", *arguments)
         self.assertIn("done at time", said)
         return said, (self.folder / "out" / "log.txt").read_text()
 
@@ -29,6 +31,13 @@ class Warned(Promise):
                                    r"[0-9.]+ % \(up to 3 % is normal\)\n")
             self.assertEqual(said.count("warning:"), 2)
 
+    def test_units(self):
+        for said in self.run_with("--set", "materials.fresh_water.sound_speed=3*speed",
+                                  units={"length": "cm", "time": "ms", "mass": "g"}):
+            self.assertRegex(said, r"warning: time [0-9.]+ ms: water moves at [0-9.]+ cm/ms, more than a "
+                                   r"tenth of its sound speed 4.65 cm/ms; raise sound_speed\n")
+            self.assertRegex(said, r"done at time [0-9.]+ ms")
+
     def test_thin_wall(self):
         for said in self.run_with("--set", "variables.wall_width=2*spacing",
                                   "--set", "loop.end_time=0.1"):
@@ -38,6 +47,23 @@ class Warned(Promise):
     def test_nothing_to_warn_of(self):
         for said in self.run_with("--set", "loop.end_time=0.1"):
             self.assertNotIn("warning", said)
+
+    def test_removed_particles(self):
+        """All of them in the log, but not a line each on the terminal."""
+        domain = {"lower": [-1, -1], "upper": [0.62, 2], "lost_particles": "remove"}
+        output = self.folder / "out"
+        said = self.sphinx(self.case("splash_2d", domain=domain), output)
+        log = (output / "log.txt").read_text()
+        one = re.compile(r"^removed: particle (\d+) of water left the domain at \(\S+, \S+\), time \S+: "
+                         r"it reaches from \(-1, -1\) to \(0.62, 2\)$", re.MULTILINE)
+        removed = one.findall(log)
+        self.assertGreater(len(removed), 30)
+        self.assertEqual(len(set(removed)), len(removed))
+        self.assertEqual(one.findall(said), removed[:3])
+        self.assertIn("removed: 10 particles so far; the log has the place of each\n", said)
+        self.assertEqual(said.count("removed:"), 3 + int(math.log10(len(removed))))
+        for text in said, log:
+            self.assertIn(f"water: {len(removed)} particles left the domain and were removed\n", text)
 
     def test_disk_space(self):
         self.assertEqual(self.check().stderr, "")

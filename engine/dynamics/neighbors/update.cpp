@@ -5,7 +5,6 @@
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
-#include "core/place_text.h"
 #include "materials/elastic_solid.h"
 #include "materials/material.h"
 
@@ -94,8 +93,9 @@ void Update<Dim>::wrap(const Group& group) const {
 }
 
 template <int Dim>
-void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) const {
-    const Domain<Dim>& domain = context_.world.domain;
+void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) {
+    const World<Dim>& world = context_.world;
+    const Domain<Dim>& domain = world.domain;
     // A wall goes where its motion is prescribed.
     if (dynamic_cast<const Rigid*>(body.material.get())) return;
     auto& position = body.particles.position();
@@ -117,23 +117,41 @@ void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) const {
         if (!outside(i)) continue;
         const Vec<Dim>& x = position[i];
         const auto id = body.particles.id()[i];
-        const std::string place = placeText<Dim>(x);
+        const std::string place = world.placeText(x);
+        const std::string time = world.quantityText(clock.time, unit::time);
         if (!x.allFinite())
-            throw PhysicsError(fmt::format("position of particle {} of {} is {} at time {:g}", id,
-                                           body.name, place, clock.time));
+            throw PhysicsError(fmt::format("position of particle {} of {} is {} at time {}", id,
+                                           body.name, place, time));
         const std::string message = fmt::format(
-            "particle {} of {} left the domain at {}, time {:g}: it reaches from {} to {}", id,
-            body.name, place, clock.time, placeText<Dim>(domain.bounds.lower),
-            placeText<Dim>(domain.bounds.upper));
+            "particle {} of {} left the domain at {}, time {}: it reaches from {} to {}", id,
+            body.name, place, time, world.placeText(domain.bounds.lower),
+            world.placeText(domain.bounds.upper));
         // Lists of the reference configuration and parts of a solid know its particles by place.
         if (body.kind != BodyKind::fluid) throw PhysicsError(message);
         if (domain.lost == LostParticles::stop)
             throw PhysicsError(message + " (lost_particles: remove would go on without it)");
-        log::info("removed: " + message);
+        tellRemoved(message);
         particles.push_back(static_cast<Index>(i));
     }
     body.particles.remove(particles);
     ++body.version;
+}
+
+/// Every particle in the log, but not thousands of a spray on the terminal: there the first ones,
+/// then their number at powers of ten.
+template <int Dim>
+void Update<Dim>::tellRemoved(const std::string& message) {
+    constexpr std::size_t told_singly = 3;
+    const std::string line = "removed: " + message;
+    if (++removed_ <= told_singly)
+        log::info(line);
+    else
+        log::fileOnly(line);
+    if (removed_ == next_count_) {
+        log::info(
+            fmt::format("removed: {} particles so far; the log has the place of each", removed_));
+        next_count_ *= 10;
+    }
 }
 
 void declareUpdate(input::Registry& registry) {

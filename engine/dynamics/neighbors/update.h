@@ -27,11 +27,14 @@ class Update final : public Method {
         bool whole = false;
     };
     void wrap(const Group& group) const;
-    void findLost(Body<Dim>& body, const Clock& clock) const;
+    void findLost(Body<Dim>& body, const Clock& clock);
+    void tellRemoved(const std::string& message);
 
     Context<Dim> context_;
     std::vector<Body<Dim>*> bodies_;
     std::vector<Group> groups_;
+    std::size_t removed_ = 0;  ///< in this run
+    std::size_t next_count_ = 10;
 };
 
 /// Registers neighbors.update.
