@@ -5,6 +5,7 @@
 #include "materials/material.h"
 
 #include <cmath>
+#include <optional>
 
 namespace sphinx {
 
@@ -20,10 +21,10 @@ class WeaklyCompressibleFluid final : public Material {
         double sound_speed = 0;  ///< c0, length/time
         double viscosity = 0;    ///< dynamic viscosity mu, mass/(length time)
         EquationOfState equation_of_state = EquationOfState::linear;
-        double gamma = 7;  ///< exponent of the Tait equation
+        std::optional<double> gamma;  ///< exponent of the Tait equation; without: 7
     };
 
-    explicit WeaklyCompressibleFluid(const Parameters& p) : p_(p) {}
+    explicit WeaklyCompressibleFluid(const Parameters& p) : p_(p), gamma_(p.gamma.value_or(7)) {}
 
     double density() const override { return p_.density; }
     double soundSpeed() const { return p_.sound_speed; }
@@ -33,25 +34,26 @@ class WeaklyCompressibleFluid final : public Material {
     double pressure(double rho) const {
         const double c2 = p_.sound_speed * p_.sound_speed;
         if (p_.equation_of_state == EquationOfState::linear) return c2 * (rho - p_.density);
-        return p_.density * c2 / p_.gamma * (std::pow(rho / p_.density, p_.gamma) - 1);
+        return p_.density * c2 / gamma_ * (std::pow(rho / p_.density, gamma_) - 1);
     }
     /// Inverse of pressure().
     double densityAt(double p) const {
         const double c2 = p_.sound_speed * p_.sound_speed;
         if (p_.equation_of_state == EquationOfState::linear) return p_.density + p / c2;
-        return p_.density * std::pow(1 + p_.gamma * p / (p_.density * c2), 1 / p_.gamma);
+        return p_.density * std::pow(1 + gamma_ * p / (p_.density * c2), 1 / gamma_);
     }
     /// Internal energy per mass: the integral of p/rho^2 from rho0 to rho.
     double internalEnergy(double rho) const {
         const double c2 = p_.sound_speed * p_.sound_speed;
         const double x = rho / p_.density;
         if (p_.equation_of_state == EquationOfState::linear) return c2 * (std::log(x) + 1 / x - 1);
-        const double g = p_.gamma;
+        const double g = gamma_;
         return c2 / g * ((std::pow(x, g - 1) - 1) / (g - 1) + 1 / x - 1);
     }
 
  private:
     Parameters p_;
+    double gamma_;
 };
 
 }  // namespace sphinx

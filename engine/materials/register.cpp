@@ -49,7 +49,12 @@ void declareWeaklyCompressibleFluid(input::Registry& registry) {
                }),
                "pressure as a function of density");
     d.optional("gamma", &P::gamma, input::number(unit::none).above(1),
-               "exponent of the tait equation");
+               "exponent of the tait equation; default: 7");
+    d.check("gamma", [](const P& p) {
+        return p.gamma && p.equation_of_state == EquationOfState::linear
+                   ? "gamma is used by 'equation_of_state: tait' alone, here it is linear"
+                   : "";
+    });
     d.builder(factory<P, WeaklyCompressibleFluid>());
 }
 
