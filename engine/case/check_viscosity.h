@@ -7,8 +7,8 @@
 
 namespace sphinx::model {
 
-/// Warns of a fluid whose material has a viscosity that no method applies: it would only shorten
-/// the time step.
+/// Warns of a fluid whose material has a viscosity that no method applies (it would only shorten
+/// the time step), and of viscous forces that are always zero.
 void checkViscosity(const Case& model, input::Diagnostics& diagnostics);
 
 }  // namespace sphinx::model

@@ -48,14 +48,22 @@ inline bool changes(AccessMode mode) {
 struct FieldAccess {
     AccessMode mode = AccessMode::read;
     std::string body;
-    std::string field;  ///< a name of particles/fields.h, of a span, or one of the two below
+    std::string field;  ///< a name of particles/fields.h, of a span, or one of those below
 };
 
 /// Pseudo fields for the check of the loop. Lists of a body go stale when its positions are
-/// written; `neighbors` wants them to exist, `fresh_neighbors` to be fresh as well.
+/// written; `neighbors` wants them to exist, `fresh_neighbors` to be fresh as well. The viscous
+/// force that a fluid feels goes stale when its velocity is written: what solids then got would not
+/// be minus what the fluid has felt.
 namespace pseudo_field {
 inline constexpr std::string_view neighbors = "neighbors";
 inline constexpr std::string_view fresh_neighbors = "fresh_neighbors";
+inline constexpr std::string_view fresh_viscous_load = "fresh_viscous_load";
 }  // namespace pseudo_field
+
+inline bool isPseudoField(std::string_view field) {
+    return field == pseudo_field::neighbors || field == pseudo_field::fresh_neighbors ||
+           field == pseudo_field::fresh_viscous_load;
+}
 
 }  // namespace sphinx

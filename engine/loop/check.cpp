@@ -13,6 +13,7 @@ std::vector<Issue> checkLoop(const LoopFacts& facts) {
     checkFields(facts, flow, issues);
     checkAccumulation(facts, flow, issues);
     checkSpans(facts, flow, issues);
+    checkLoads(facts, flow, issues);
     checkNeighbors(facts, flow, issues);
     return issues;
 }

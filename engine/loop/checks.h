@@ -18,6 +18,8 @@ void checkFields(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& i
 void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// What must be done in turn, or between two lines: halves of a step, means.
 void checkSpans(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
+/// Loads that a solid gets must be minus what its fluid has felt.
+void checkLoads(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// Neighbor lists.
 void checkNeighbors(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 

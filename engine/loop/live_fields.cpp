@@ -5,13 +5,6 @@
 #include "loop/flow.h"
 
 namespace sphinx::loop {
-namespace {
-
-bool isPseudo(const std::string& field) {
-    return field == pseudo_field::neighbors || field == pseudo_field::fresh_neighbors;
-}
-
-}  // namespace
 
 std::map<std::string, std::set<std::string>> liveFields(const LoopFacts& facts) {
     const Flow flow(facts);
@@ -24,7 +17,7 @@ std::map<std::string, std::set<std::string>> liveFields(const LoopFacts& facts) 
     for (const FlowNode& node : flow.nodes())
         if (node.line)
             for (const FieldAccess& access : node.line->accesses)
-                if (!isPseudo(access.field)) known.insert({access.body, access.field});
+                if (!isPseudoField(access.field)) known.insert({access.body, access.field});
 
     for (const FieldKey& key : known) {
         const bool used =

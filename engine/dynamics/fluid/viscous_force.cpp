@@ -250,6 +250,7 @@ void declareViscousForce(input::Registry& registry) {
         .reads("neighbors.solid", {"normal", "depth", "volume"})
         .reads("neighbors.rigid", {"velocity"})
         .reads("neighbors.elastic", {"average_velocity"})
+        .writes("body", {"fresh_viscous_load"})
         .accumulates("body", {"external_acceleration"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<ViscousForce<Dim>>(context, bodyOf(context, p.body), p.wall,

@@ -9,13 +9,13 @@ void declareViscousForce(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::dynamics, "fsi.viscous_force");
     d.summary(
         "Viscous force of a fluid on the particles of an elastic body; after the fluid's "
-        "viscous force");
+        "viscous force, before its velocity changes");
     d.formula("minus what the fluid has felt, see fluid.viscous_force");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that drags it");
     d.action("", "")
         .reads("body", {"normal", "depth", "volume", "average_velocity", "neighbors"})
-        .reads("from", {"velocity", "volume"})
+        .reads("from", {"velocity", "volume", "fresh_viscous_load"})
         .writes("body", {"viscous_force"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         Body<Dim>& body = bodyOf(context, p.body);
