@@ -19,7 +19,6 @@ class ParticleSet {
     ParticleSet();
 
     std::size_t size() const { return size_; }
-    std::size_t capacity() const { return capacity_; }
 
     /// Appends n particles: ids continue, every other field is zero.
     void append(std::size_t n);
