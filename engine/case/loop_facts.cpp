@@ -52,11 +52,16 @@ class FactsMaker {
         facts.accesses = resolveAccesses(model_, method, step.action_index);
         facts.sometimes = step.every.has_value();
         facts.window = step.window;
-        if (method.declaration->hasTrait("permutes"))
-            for (const FieldAccess& access : facts.accesses)
-                if (std::find(facts.permutes.begin(), facts.permutes.end(), access.body) ==
+        const bool permutes = method.declaration->hasTrait("permutes");
+        const bool removes =
+            method.declaration->hasTrait("removes") && model_.domain.lost == LostParticles::remove;
+        for (const FieldAccess& access : facts.accesses) {
+            const bool fluid = model_.findBody(access.body)->kind == BodyKind::fluid;
+            if ((permutes || (removes && fluid)) &&
+                std::find(facts.permutes.begin(), facts.permutes.end(), access.body) ==
                     facts.permutes.end())
-                    facts.permutes.push_back(access.body);
+                facts.permutes.push_back(access.body);
+        }
         return facts;
     }
 

@@ -82,11 +82,13 @@ class NeighborCheck {
         for (std::size_t k = 0; k < lists_.size(); ++k) {
             const ListFacts& list = lists_[k];
             ListState& state = states[k];
-            if (contains(line.permutes, list.owner) || contains(line.permutes, list.other))
-                state = {Level::missing, &line};
+            const bool rebuilt = rebuilds(line, list);
+            const bool permuted =
+                contains(line.permutes, list.owner) || contains(line.permutes, list.other);
+            if (permuted && !rebuilt) state = {Level::missing, &line};
             if (!list.reference_configuration && state.level != Level::missing && moved(line, list))
                 state = {Level::stale, &line};
-            if (!line.sometimes && rebuilds(line, list)) state = {Level::fresh, nullptr};
+            if (!line.sometimes && rebuilt) state = {Level::fresh, nullptr};
         }
     }
 

@@ -28,6 +28,7 @@ class SpanCheck {
             unopened(span, AccessMode::close, "ends");
             unopened(span, AccessMode::within, "acts within");
             reopened(span);
+            permuted(span);
         }
         for (const FlowNode& node : flow_.nodes())
             if (node.line)
@@ -89,6 +90,25 @@ class SpanCheck {
                    fmt::format("{} begins a {} of {} before the one that {} began has ended",
                                flow_.nodes()[*found].line->label, span.second, span.first,
                                opener(span)));
+    }
+    /// Who opened it may have kept values particle by particle.
+    void permuted(const FieldKey& span) {
+        const auto found = flow_.find(
+            after(AccessMode::open, span),
+            [&](const FlowNode& node) {
+                return node.line &&
+                       std::find(node.line->permutes.begin(), node.line->permutes.end(),
+                                 span.first) != node.line->permutes.end();
+            },
+            [&](const FlowNode& node) {
+                return node.line && has(*node.line, AccessMode::close, span);
+            });
+        if (found)
+            report(*flow_.nodes()[*found].line,
+                   fmt::format("{} may reorder or remove particles of {} within a {} of it, whose "
+                               "end has to find them as they were: it belongs after {}",
+                               flow_.nodes()[*found].line->label, span.first, span.second,
+                               closer(span)));
     }
     /// A wall that is moved has no steps.
     void neverOpened(const LineFacts& line, const FieldAccess& access) {

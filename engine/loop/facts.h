@@ -22,7 +22,7 @@ struct LineFacts {
     std::string label;
     /// An action that writes only some particles of a body declares the field as read, too.
     std::vector<FieldAccess> accesses;
-    std::vector<std::string> permutes;  ///< bodies whose particles it reorders
+    std::vector<std::string> permutes;  ///< bodies whose particles it may reorder or remove
     bool sometimes = false;             ///< under `every:`
     Window window = {};                 ///< of a line of the loop
 

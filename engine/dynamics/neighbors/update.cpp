@@ -160,6 +160,7 @@ void declareUpdate(input::Registry& registry) {
     d.summary("Rebuilds every neighbor list with one of the bodies on either side");
     d.required("bodies", &P::bodies, input::list(input::bodyReference({"fluid", "solid"})),
                "bodies that have moved");
+    d.trait("removes");
     d.action("", "").reads("bodies", {"position"}).writes("bodies", {"neighbors"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         std::vector<Body<Dim>*> bodies;
