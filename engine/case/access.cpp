@@ -16,6 +16,7 @@ AccessMode modeOf(input::AccessMode mode) {
         case input::AccessMode::read: return AccessMode::read;
         case input::AccessMode::write: return AccessMode::write;
         case input::AccessMode::accumulate: return AccessMode::accumulate;
+        case input::AccessMode::release: return AccessMode::release;
         case input::AccessMode::open: return AccessMode::open;
         case input::AccessMode::close: return AccessMode::close;
         case input::AccessMode::within: break;
@@ -38,8 +39,10 @@ Words bodiesOf(const Case& model, const Component& method, const input::Paramete
 Words ownerBodies(const Case& model, const Component& method, const std::string& owner) {
     if (const input::Parameter* parameter = method.declaration->parameter(owner))
         return bodiesOf(model, method, *parameter);
+    const bool bonded = owner == "bonded";
     const std::string trait = splitAction(owner).second;
-    assert(splitAction(owner).first == "neighbors" && "owner of an access is no parameter");
+    assert((bonded || splitAction(owner).first == "neighbors") &&
+           "owner of an access is no parameter");
     Words seen;
     for (const input::Parameter& parameter : method.declaration->parameters()) {
         const Words bodies = bodiesOf(model, method, parameter);
@@ -49,7 +52,9 @@ Words ownerBodies(const Case& model, const Component& method, const std::string&
                 const Words traits =
                     bodyTraits(other.kind, model.findMaterial(other.material.text));
                 const bool wanted =
-                    trait.empty() || std::find(traits.begin(), traits.end(), trait) != traits.end();
+                    bonded ? contact.bonded
+                           : trait.empty() ||
+                                 std::find(traits.begin(), traits.end(), trait) != traits.end();
                 if (wanted && std::find(seen.begin(), seen.end(), other.name) == seen.end())
                     seen.push_back(other.name);
             }

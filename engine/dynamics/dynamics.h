@@ -22,6 +22,9 @@ class Method {
     virtual void run(int action, const Clock& clock) = 0;
     /// Particles that one call works on, for the profile's ns per particle.
     virtual std::size_t workSize() const = 0;
+    /// The window of a line that has called it is over (`until`): takes back what it has left for
+    /// others and what would otherwise stay as if it still acted.
+    virtual void rest() {}
     /// State besides particle fields.
     virtual void transfer(Archive&) {}
 };
@@ -35,10 +38,11 @@ class TimeStepMethod {
     virtual std::size_t workSize() const = 0;
 };
 
-/// How an action uses a field of a body. `accumulate` adds to a value that the layer zeroes first.
+/// How an action uses a field of a body. `accumulate` adds to a value that the layer zeroes first;
+/// `release` sets what it has written to zero when the window of its line is over (Method::rest).
 /// The last three are about a span of the loop in place of a field ("step", "mean"), which one line
 /// opens and another closes in turn; others belong within.
-enum class AccessMode { read, write, accumulate, open, close, within };
+enum class AccessMode { read, write, accumulate, release, open, close, within };
 
 /// It changes the field.
 inline bool changes(AccessMode mode) {

@@ -38,6 +38,12 @@ Action& Action::accumulates(const std::string& owner,
     return *this;
 }
 
+Action& Action::releases(const std::string& owner, std::initializer_list<std::string_view> fields) {
+    for (std::string_view field : fields)
+        accesses_.push_back({AccessMode::release, owner, std::string(field)});
+    return *this;
+}
+
 Action& Action::opens(const std::string& owner, const std::string& span) {
     accesses_.push_back({AccessMode::open, owner, span});
     return *this;
@@ -50,6 +56,11 @@ Action& Action::closes(const std::string& owner, const std::string& span) {
 
 Action& Action::within(const std::string& owner, const std::string& span) {
     accesses_.push_back({AccessMode::within, owner, span});
+    return *this;
+}
+
+Action& Action::throughout(std::string why) {
+    throughout_ = std::move(why);
     return *this;
 }
 

@@ -20,14 +20,16 @@ const char* kindName(Kind kind);
 inline constexpr std::array all_kinds{Kind::block,    Kind::shape,  Kind::kernel, Kind::material,
                                       Kind::dynamics, Kind::output, Kind::field};
 
-/// How an action uses a field; accumulate adds to a value that the layer zeroes first. The last
-/// three are about a span of the loop instead ("step", "mean"): one action opens it, another closes
-/// it in turn, others belong within.
-enum class AccessMode { read, write, accumulate, open, close, within };
+/// How an action uses a field; accumulate adds to a value that the layer zeroes first, release sets
+/// what it has written to zero when the window of its line is over. The last three are about a span
+/// of the loop instead ("step", "mean"): one action opens it, another closes it in turn, others
+/// belong within.
+enum class AccessMode { read, write, accumulate, release, open, close, within };
 
 /// A field of the bodies that `owner` stands for: a parameter that refers to bodies or parts
 /// ("body", "from", "bodies"), or "neighbors", the bodies that the first such parameter sees in
-/// `topology`, or only those of a trait: "neighbors.fluid", "neighbors.solid".
+/// `topology`, or only those of a trait: "neighbors.fluid", "neighbors.solid"; or "bonded", those
+/// that are bonded to it.
 struct Access {
     AccessMode mode;
     std::string owner;
@@ -41,17 +43,23 @@ class Action {
     Action& reads(const std::string& owner, std::initializer_list<std::string_view> fields);
     Action& writes(const std::string& owner, std::initializer_list<std::string_view> fields);
     Action& accumulates(const std::string& owner, std::initializer_list<std::string_view> fields);
+    Action& releases(const std::string& owner, std::initializer_list<std::string_view> fields);
     Action& opens(const std::string& owner, const std::string& span);
     Action& closes(const std::string& owner, const std::string& span);
     Action& within(const std::string& owner, const std::string& span);
+    /// The method has an effect on its body that is there without being called: a line that calls
+    /// it has no every, from or until. `why`: the reason and the way out.
+    Action& throughout(std::string why);
 
     const std::string& name() const { return name_; }  ///< empty: the method's only one
     const std::string& doc() const { return doc_; }
     const std::vector<Access>& accesses() const { return accesses_; }
+    const std::string& throughout() const { return throughout_; }  ///< empty: it may act at times
 
  private:
     std::string name_;
     std::string doc_;
+    std::string throughout_;
     std::vector<Access> accesses_;
 };
 
@@ -141,7 +149,9 @@ class Declared final : public Declaration {
     Declared& summary(std::string text) { return summary_ = std::move(text), *this; }
     Declared& formula(std::string text) { return formula_ = std::move(text), *this; }
     Declared& citation(std::string text) { return citation_ = std::move(text), *this; }
-    /// A property that references may ask for, such as "elastic".
+    /// A property that references may ask for, such as "elastic". Of methods: "sums_over_itself"
+    /// (its body must see itself), "permutes" (it reorders particles) and "removes" (it takes
+    /// particles out of fluids where the domain says so).
     Declared& trait(std::string name) { return traits_.push_back(std::move(name)), *this; }
 
     template <class T, class Q>

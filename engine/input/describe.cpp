@@ -50,6 +50,7 @@ std::string accessText(const Action& action, AccessMode mode) {
 constexpr std::pair<AccessMode, const char*> modes[] = {{AccessMode::read, "reads"},
                                                         {AccessMode::write, "writes"},
                                                         {AccessMode::accumulate, "accumulates"},
+                                                        {AccessMode::release, "releases"},
                                                         {AccessMode::open, "begins"},
                                                         {AccessMode::close, "ends"},
                                                         {AccessMode::within, "within"}};
@@ -99,6 +100,8 @@ std::string describeOne(const Declaration& d) {
         for (const auto& [mode, word] : modes)
             if (const std::string text = accessText(action, mode); !text.empty())
                 out += fmt::format("    {:<12}{}\n", word, wrapped(text, 16));
+        if (!action.throughout().empty())
+            out += fmt::format("    {:<12}{}\n", "throughout", wrapped(action.throughout(), 16));
     }
     return out;
 }
@@ -142,6 +145,7 @@ std::string markdownOne(const Declaration& d) {
         for (const auto& [mode, word] : modes)
             if (const std::string text = accessText(action, mode); !text.empty())
                 out += fmt::format("; {} {}", word, text);
+        if (!action.throughout().empty()) out += "; throughout: " + escaped(action.throughout());
         out += "\n";
     }
     return out + (d.actions().empty() ? "" : "\n");

@@ -52,7 +52,10 @@ void declareDensitySummation(input::Registry& registry) {
                    {"confined", Surface::confined, "flow without free surface"},
                }),
                "whether the fluid has a free surface");
-    d.action("", "").reads("body", {"density", "fresh_neighbors"}).writes("body", {"density"});
+    d.trait("sums_over_itself");
+    d.action("", "")
+        .reads("body", {"density", "reference_density", "fresh_neighbors"})
+        .writes("body", {"density"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<DensitySummation<Dim>>(context, bodyOf(context, p.body), p.surface);
     }));

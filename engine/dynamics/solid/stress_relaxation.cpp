@@ -71,17 +71,20 @@ void declareStressRelaxation(input::Registry& registry) {
         "damping", &P::damping, input::boolean(),
         "whether the Kelvin-Voigt damping of the material acts; two methods, one with and one "
         "without, can share the time of a run");
+    d.trait("sums_over_itself");
     d.action("first_half",
              "deformation, stress and position to the half step; velocity by a whole "
              "step")
         .reads("body", {"initial_position", "position", "velocity", "mass", "volume",
                         "correction_matrix", "deformation_gradient", "deformation_rate",
                         "external_acceleration", "pressure_force", "viscous_force"})
+        .reads("bonded", {"initial_position", "position", "volume", "corrected_stress"})
         .writes("body", {"deformation_gradient", "corrected_stress", "density", "position",
                          "velocity", "acceleration"})
         .opens("body", "step");
     d.action("second_half", "rate of the deformation; deformation and position to the full step")
         .reads("body", {"position", "velocity", "correction_matrix", "deformation_gradient"})
+        .reads("bonded", {"velocity"})
         .writes("body", {"deformation_rate", "deformation_gradient", "position"})
         .closes("body", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {

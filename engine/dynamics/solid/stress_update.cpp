@@ -14,14 +14,16 @@ void declareStressUpdate(input::Registry& registry) {
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is held");
     d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
                "as in solid.stress_relaxation of the bodies bonded to it");
+    d.trait("sums_over_itself");
     d.action("first_half", "deformation and stress to the half step")
         .reads("body", {"initial_position", "velocity", "volume", "correction_matrix",
                         "deformation_gradient", "deformation_rate"})
+        .reads("bonded", {"initial_position", "volume"})
         .writes("body", {"deformation_gradient", "corrected_stress", "density"})
         .opens("body", "step");
     d.action("second_half", "rate of the deformation; deformation to the full step")
         .reads("body", {"velocity", "correction_matrix", "deformation_gradient"})
-        .reads("neighbors.elastic", {"velocity"})
+        .reads("bonded", {"velocity"})
         .writes("body", {"deformation_rate", "deformation_gradient"})
         .closes("body", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
