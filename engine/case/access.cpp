@@ -75,6 +75,7 @@ std::vector<FieldAccess> resolveAccesses(const Case& model, const Component& met
 
 bool isAccessed(const Case& model, const Body& body, std::string_view field) {
     for (const Component& method : model.dynamics) {
+        if (!model.calls(method.name)) continue;
         const int actions = static_cast<int>(method.declaration->actions().size());
         for (int action = 0; action < actions; ++action)
             for (const FieldAccess& access : resolveAccesses(model, method, action))

@@ -14,7 +14,7 @@ namespace sphinx::model {
 /// bodies in place of parameters and `neighbors`. For a time-step method: those of its estimate.
 std::vector<FieldAccess> resolveAccesses(const Case& model, const Component& method, int action);
 
-/// Whether a method of the case reads, writes or accumulates that field of the body.
+/// Whether a method that the loop calls reads, writes or accumulates that field of the body.
 bool isAccessed(const Case& model, const Body& body, std::string_view field);
 
 }  // namespace sphinx::model

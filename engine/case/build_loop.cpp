@@ -74,6 +74,7 @@ std::optional<loop::Trigger> triggerOf(const Every& every) {
 template <int Dim>
 Methods<Dim>::Methods(const Case& model, Context<Dim>& context) {
     for (const Component& c : model.dynamics) {
+        if (!model.calls(c.name)) continue;
         const void* parameters = c.parameters.get();
         if (c.declaration->isTimeStep())
             time_steps_[c.name] =

@@ -13,7 +13,8 @@
 
 namespace sphinx::model {
 
-/// The methods of a case, made from their parameters, and the calls that zero accumulated fields.
+/// The methods that the loop of a case calls, made from their parameters, and the calls that zero
+/// accumulated fields. What the loop does not call is not made: it cannot act.
 template <int Dim>
 class Methods {
  public:

@@ -3,6 +3,7 @@
 #include "case/check_elastic.h"
 
 #include "dynamics/solid/stress_relaxation.h"
+#include "dynamics/solid/stress_update.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -14,16 +15,25 @@ namespace sphinx::model {
 namespace {
 
 void checkHourglassControl(const Case& model, input::Diagnostics& diagnostics) {
-    std::map<std::string, const Component*> firsts;  // by body
-    for (const Component& method : model.dynamics) {
-        if (method.declaration->name() != "solid.stress_relaxation") continue;
-        const auto& p = method.as<solid::StressRelaxationParameters>();
-        const Component& first = *firsts.emplace(p.body.text, &method).first->second;
-        const auto& known = first.as<solid::StressRelaxationParameters>();
-        if (known.hourglass_control == p.hourglass_control) continue;
+    struct First {
+        bool control;
+        std::string method;
+    };
+    std::map<std::string, First> firsts;  // by body
+    const auto compare = [&](const Component& method, const auto& p) {
+        const First& first =
+            firsts.try_emplace(p.body.text, p.hourglass_control, method.name).first->second;
+        if (first.control == p.hourglass_control) return;
         diagnostics.error(method.placeOf("hourglass_control"),
                           fmt::format("hourglass_control is {} here but {} in {}: a body has one",
-                                      p.hourglass_control, known.hourglass_control, first.name));
+                                      p.hourglass_control, first.control, first.method));
+    };
+    for (const Component& method : model.dynamics) {
+        if (!model.calls(method.name)) continue;
+        if (method.declaration->name() == "solid.stress_relaxation")
+            compare(method, method.as<solid::StressRelaxationParameters>());
+        if (method.declaration->name() == "solid.stress_update")
+            compare(method, method.as<solid::StressUpdateParameters>());
     }
 }
 

@@ -18,7 +18,8 @@ void checkViscosity(const Case& model, input::Diagnostics& diagnostics) {
         bool applied = false;
         bool sticks = false;  // to solids
         for (const Component& method : model.dynamics) {
-            if (method.declaration->name() != "fluid.viscous_force") continue;
+            if (method.declaration->name() != "fluid.viscous_force" || !model.calls(method.name))
+                continue;
             const auto& p = method.as<fluid::ViscousForceParameters>();
             if (p.body.text != body.name) continue;
             applied = true;
@@ -37,8 +38,8 @@ void checkViscosity(const Case& model, input::Diagnostics& diagnostics) {
                                                 method.name, body.name));
         if (viscous && !applied)
             diagnostics.warning(material.placeOf("viscosity"),
-                                fmt::format("nothing applies the viscosity of {}: there is no "
-                                            "fluid.viscous_force for it",
+                                fmt::format("nothing applies the viscosity of {}: the loop "
+                                            "calls no fluid.viscous_force for it",
                                             body.name));
     }
 }

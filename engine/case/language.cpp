@@ -183,7 +183,8 @@ void declareLoop(Registry& registry) {
         d.optional("from", &P::from, number(unit::time),
                    "it acts in the steps of its layer that begin at this time or later");
         d.optional("until", &P::until, number(unit::time),
-                   "it acts in the steps of its layer that begin before this time");
+                   "it acts in the steps of its layer that begin before this time; a wall that it "
+                   "moved then stands still");
         d.check("", [](const P& p) -> std::string {
             return p.every || p.from || p.until
                        ? ""

@@ -162,6 +162,18 @@ auto findByName(const Entries& entries, std::string_view name) -> decltype(entri
         if (entry.name == name) return &entry;
     return nullptr;
 }
+
+bool callsIn(const std::vector<Step>& steps, std::string_view method);
+bool callsIn(const Layer& layer, std::string_view method) {
+    for (const Name& name : layer.dt_methods)
+        if (name.text == method) return true;
+    return callsIn(layer.steps, method);
+}
+bool callsIn(const std::vector<Step>& steps, std::string_view method) {
+    for (const Step& step : steps)
+        if (step.layer ? callsIn(*step.layer, method) : step.method.text == method) return true;
+    return false;
+}
 }  // namespace
 
 const Shape* Case::findShape(std::string_view name) const { return findByName(shapes, name); }
@@ -171,6 +183,10 @@ const Component* Case::findMaterial(std::string_view name) const {
 }
 const Component* Case::findMethod(std::string_view name) const {
     return findByName(dynamics, name);
+}
+
+bool Case::calls(std::string_view method) const {
+    return callsIn(loop.start, method) || callsIn(loop.layer, method);
 }
 
 const std::vector<Contact>& Case::seenBy(std::string_view body) const {

@@ -168,6 +168,8 @@ struct Case {
     const Body* findBody(std::string_view name) const;
     const Component* findMaterial(std::string_view name) const;
     const Component* findMethod(std::string_view name) const;
+    /// Whether a line of the loop, or the time step of a layer, names the method: no other acts.
+    bool calls(std::string_view method) const;
     /// What the body sees; empty when topology does not name it.
     const std::vector<Contact>& seenBy(std::string_view body) const;
 };

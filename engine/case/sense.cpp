@@ -145,9 +145,7 @@ class SenseCheck {
         const std::string& type = method.declaration->name();
         const Name body = bodyOf(method, "body");
         if (body.text.empty()) return;
-        const bool sums = !method.declaration->isTimeStep() &&
-                          (type.starts_with("fluid.") || type.starts_with("solid.")) &&
-                          type != "solid.update_normals";
+        const bool sums = method.declaration->hasTrait("sums_over_itself");
         if (sums && !sees(body.text, "self") && !sees(body.text, body.text))
             diagnostics_.error(body.place,
                                fmt::format("{} sums over the particles of {} itself: its "
@@ -210,8 +208,24 @@ class SenseCheck {
         for (const StepBlock& step : layer.steps)
             if (step.layer)
                 checkLayer(*step.layer);
-            else
+            else {
                 checkWindow(step);
+                checkThroughout(step);
+            }
+    }
+    void checkThroughout(const StepBlock& step) {
+        const auto [name, action] = splitAction(step.run.text);
+        const std::string key = step.every ? "every" : step.window.from ? "from" : "until";
+        if (!step.every && !step.window.limited()) return;
+        for (const Component& method : block_.dynamics) {
+            if (method.name != name) continue;
+            const Declaration& declaration = *method.declaration;
+            const std::string& why =
+                declaration.actions()[declaration.actionIndex(action)].throughout();
+            if (!why.empty())
+                diagnostics_.error(step.run.place,
+                                   fmt::format("'{}' is not for {}: {}", key, step.run.text, why));
+        }
     }
     void checkWindow(const StepBlock& step) {
         const double start = block_.loop.start_time;

@@ -90,9 +90,8 @@ double ElevationSource<Dim>::elevation(const Vec<Dim>& point) const {
         double space = 1;
         for (; near != particles.end() && near->height > height - reach; ++near) {
             const double along = near->height - height;
-            const double part =
-                near->volume * fillers_[near->filler].body->kernel.value(
-                                   std::sqrt(near->distance2 + along * along));
+            const double part = near->volume * fillers_[near->filler].body->kernel.value(
+                                                   std::sqrt(near->distance2 + along * along));
             if (near->filler < fluids_)
                 fluid += part;
             else
@@ -142,8 +141,8 @@ std::unique_ptr<SeriesSource> makeElevationSource(const Body<Dim>& observer,
         gravity.isZero(0) ? Vec<Dim>(Vec<Dim>::Unit(Dim - 1)) : Vec<Dim>(-gravity.normalized());
     const Vec<Dim>* position = observer.particles.position().data();
     return std::make_unique<ElevationSource<Dim>>(
-        std::vector<Vec<Dim>>(position, position + observer.size()), std::move(fluids), std::move(solids),
-        context.world.domain, up, context.units);
+        std::vector<Vec<Dim>>(position, position + observer.size()), std::move(fluids),
+        std::move(solids), context.world.domain, up, context.units);
 }
 
 template class ElevationSource<2>;

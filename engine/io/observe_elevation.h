@@ -28,7 +28,8 @@ class ElevationSource final : public SeriesSource {
     };
     /// `up`: unit vector. Points that lie above each other make one gauge.
     ElevationSource(const std::vector<Vec<Dim>>& points, std::vector<Filler> fluids,
-                    std::vector<Filler> solids, const Domain<Dim>& domain, const Vec<Dim>& up, const input::UnitSystem& units);
+                    std::vector<Filler> solids, const Domain<Dim>& domain, const Vec<Dim>& up,
+                    const input::UnitSystem& units);
 
     const std::vector<SeriesQuantity>& quantities() const override { return quantities_; }
     void sample(const Clock& clock, std::span<double> row) override;

@@ -11,6 +11,7 @@ std::vector<Issue> checkLoop(const LoopFacts& facts) {
     std::vector<Issue> issues;
     checkLayers(facts, flow, issues);
     checkFields(facts, flow, issues);
+    checkEnded(facts, flow, issues);
     checkAccumulation(facts, flow, issues);
     checkSpans(facts, flow, issues);
     checkLoads(facts, flow, issues);

@@ -18,9 +18,10 @@ struct Issue {
 };
 
 /// Everything that is wrong with a loop as far as its declarations tell: layers without a time
-/// step, fields read before anything wrote them, halves of a step out of turn, stale neighbor
-/// lists, accumulated fields that spoil each other, neighbor lists that a resumed run could not
-/// have. In the order of the checks, then of the loop.
+/// step, fields read before anything wrote them or after the window of what writes them, halves of
+/// a step out of turn, particles reordered between them, stale neighbor lists, accumulated fields
+/// that spoil each other, neighbor lists that a resumed run could not have. In the order of the
+/// checks, then of the loop.
 std::vector<Issue> checkLoop(const LoopFacts& facts);
 
 }  // namespace sphinx::loop

@@ -14,6 +14,8 @@ namespace sphinx::loop {
 void checkLayers(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// Reads before writes.
 void checkFields(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
+/// Reads of what has ceased to be written.
+void checkEnded(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// Accumulated fields.
 void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// What must be done in turn, or between two lines: halves of a step, means.

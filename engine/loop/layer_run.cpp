@@ -130,6 +130,7 @@ double LayerRun::cover(double from, double until) {
 void LayerRun::substep(double dt, double end) {
     clock_.dt = dt;
     begin_ = triggerTime(clock_.time, dt);
+    endWindows();
     for (Line& line : lines_) {
         if (auto* call = std::get_if<CallRun>(&line)) {
             run(*call);
@@ -145,6 +146,15 @@ void LayerRun::substep(double dt, double end) {
     clock_.time = end;
     ++clock_.steps;
     if (!samplers_.empty()) sample();
+}
+
+void LayerRun::endWindows() {
+    for (Line& line : lines_) {
+        auto* call = std::get_if<CallRun>(&line);
+        if (!call || call->to_rest == 0 || call->call->window.holds(begin_)) continue;
+        call->call->method->rest();
+        call->to_rest = 0;
+    }
 }
 
 bool LayerRun::due(CallRun& line) const {
@@ -164,18 +174,23 @@ void LayerRun::run(CallRun& line) {
         line.call->method->run(line.call->action, clock_);
     }
     line.tally.particles += static_cast<double>(line.call->method->workSize());
+    if (line.call->window.until) line.to_rest = 1;
 }
 
 void LayerRun::transfer(Archive& archive) {
     {
         const Section section(archive, layer_.name);
         clock_.transfer(archive);
-        int number = 0;
+        int triggers = 0;
+        int windows = 0;
         for (Line& line : lines_) {
             auto* call = std::get_if<CallRun>(&line);
-            if (!call || !call->every) continue;
-            const Section every(archive, fmt::format("every_{}", number++));
-            call->every->transfer(archive);
+            if (call && call->every) {
+                const Section every(archive, fmt::format("every_{}", triggers++));
+                call->every->transfer(archive);
+            }
+            if (call && call->call->window.until)
+                archive.value(fmt::format("to_rest_{}", windows++), call->to_rest);
         }
     }
     for (Line& line : lines_)

@@ -24,6 +24,7 @@ class LayerRun {
         std::optional<Multiples> every;
         const LayerRun* counting = nullptr;  ///< whose steps `every` counts
         bool under_way = false;  ///< the counting layer is in a substep when the call's turn comes
+        std::int64_t to_rest = 0;  ///< 1: it has acted in its window, whose end is to come
         Tally tally;
     };
     using Line = std::variant<CallRun, std::unique_ptr<LayerRun>>;
@@ -51,7 +52,8 @@ class LayerRun {
     /// not counted as time of the loop.
     void sampleSubsteps(std::function<void(const Clock&)> sampler);
 
-    /// Clocks and triggers of this layer and of all inside it, a section for each layer.
+    /// Clocks, triggers and windows under way of this layer and of all inside it, a section for
+    /// each layer.
     void transfer(Archive& archive);
 
  private:
@@ -62,6 +64,8 @@ class LayerRun {
     /// Substeps from `from` up to `until`; returns the time that was covered.
     double cover(double from, double until);
     void substep(double dt, double end);
+    /// Lets the methods of windows that are over rest.
+    void endWindows();
     void run(CallRun& line);
     void sample();
     bool due(CallRun& line) const;

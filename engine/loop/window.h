@@ -8,7 +8,8 @@
 namespace sphinx::loop {
 
 /// `from:` and `until:` of a call: the substeps of its layer in which it acts, by the time at which
-/// they begin. Two calls of which one acts until T and the other from T share all substeps.
+/// they begin. Two calls of which one acts until T and the other from T share all substeps. At the
+/// begin of the first substep after it the method rests (Method::rest).
 struct Window {
     std::optional<double> from;   ///< case units; without: since the start
     std::optional<double> until;  ///< case units, not included; without: to the end

@@ -63,10 +63,13 @@ void declareClamp(input::Registry& registry) {
     d.required("part", &P::part, input::partReference({"elastic"}),
                "part of a body; particles that it covers by more than a quarter have no mass");
     d.action("", "between the halves of the step, and at the start before the correction")
-        .reads("part", {"initial_position", "velocity", "mass", "acceleration",
+        .reads("part", {"initial_position", "volume", "velocity", "mass", "acceleration",
                         "external_acceleration", "pressure_force", "viscous_force"})
         .writes("part", {"velocity", "acceleration"})
-        .within("part", "step");
+        .within("part", "step")
+        .throughout(
+            "the particles behind its surface have no mass of their own as long as it is there; "
+            "constraint.fix can let go");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<Clamp<Dim>>(context, Part<Dim>(context.world, p.part));
     }));

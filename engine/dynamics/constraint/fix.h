@@ -24,6 +24,7 @@ class Fix final : public Method, public Support<Dim> {
     Fix(Part<Dim> part, const std::vector<int>& directions);
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return part_.size(); }
+    void rest() override { this->letGo(); }
 
     const Body<Dim>& supported() const override { return part_.body(); }
     void transfer(Archive& archive) override { this->transferReaction(archive); }

@@ -95,6 +95,18 @@ void PrescribedWallMotion<Dim>::run(int, const Clock& clock) {
     ++this->part_.body().version;
 }
 
+template <int Dim>
+void PrescribedWallMotion<Dim>::rest() {
+    parallelFor(this->part_.size(), [&](std::size_t n) {
+        const std::size_t i = this->part_[n];
+        for (int c = 0; c < Dim; ++c) {
+            if (!this->moves(c)) continue;
+            this->velocity_[i][c] = 0;
+            acceleration_[i][c] = 0;
+        }
+    });
+}
+
 void declarePrescribedMotion(input::Registry& registry) {
     using P = PrescribedMotionParameters;
     auto& d = registry.declare<P>(input::Kind::dynamics, "constraint.prescribed_motion");
@@ -117,6 +129,7 @@ void declarePrescribedMotion(input::Registry& registry) {
              "neighbors are stale from then on")
         .reads("part", {"initial_position", "position", "velocity", "acceleration", "mass"})
         .writes("part", {"position", "velocity", "acceleration"})
+        .releases("part", {"velocity", "acceleration"})
         .within("part", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p,
                                              Context<Dim>& context) -> std::unique_ptr<Method> {

@@ -49,13 +49,15 @@ class PrescribedSolidMotion final : public PrescribedMotion<Dim>, public Support
  public:
     using PrescribedMotion<Dim>::PrescribedMotion;
     void run(int action, const Clock& clock) override;
+    void rest() override { this->letGo(); }
     const Body<Dim>& supported() const override { return this->part_.body(); }
     void transfer(Archive& archive) override { this->transferReaction(archive); }
 };
 
 /// Of a rigid body, at the start of a step: the position R + u(t + dt) at its end, and velocity and
 /// acceleration at its middle by central differences,
-/// v = (u(t + dt) - u(t))/dt, a = (u(t + dt) - 2 u(t + dt/2) + u(t))/(dt/2)^2.
+/// v = (u(t + dt) - u(t))/dt, a = (u(t + dt) - 2 u(t + dt/2) + u(t))/(dt/2)^2. When the window of
+/// its line is over, the wall stands still where it is.
 template <int Dim>
 class PrescribedWallMotion final : public PrescribedMotion<Dim> {
  public:
@@ -63,6 +65,7 @@ class PrescribedWallMotion final : public PrescribedMotion<Dim> {
                          std::vector<input::FieldExpression> displacement,
                          const std::vector<int>& directions);
     void run(int action, const Clock& clock) override;
+    void rest() override;
 
  private:
     /// Into the period of the domain.

@@ -15,10 +15,12 @@ class Support {
  public:
     virtual ~Support() = default;
     virtual const Body<Dim>& supported() const = 0;
-    /// Sum of the forces on the held particles in the last step, force.
+    /// Sum of the forces on the held particles in the last step in which it held them, force; zero
+    /// once the window of its line is over.
     Vec<Dim> reaction() const { return reaction_; }
 
  protected:
+    void letGo() { reaction_.setZero(); }
     void transferReaction(Archive& archive) {
         for (int c = 0; c < Dim; ++c)
             archive.value("reaction_" + std::string(1, "xyz"[c]), reaction_[c]);

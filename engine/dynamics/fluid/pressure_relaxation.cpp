@@ -53,7 +53,7 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& bo
 
 template <int Dim>
 void PressureRelaxation<Dim>::run(int action, const Clock& clock) {
-    this->last_time_ = clock.time;
+    this->actedAt(clock.time);
     if (action == 0)
         firstHalf(clock.dt);
     else
@@ -247,6 +247,7 @@ void declarePressureRelaxation(input::Registry& registry) {
                    {"low_dissipation", Riemann::low_dissipation, "the same with the limiter"},
                }),
                "how pressure and velocity between two particles are found");
+    d.trait("sums_over_itself");
     d.action("first_half",
              "density, pressure and position to the half step; velocity by a whole step")
         .reads("body", {"velocity", "mass", "density", "density_rate", "position",

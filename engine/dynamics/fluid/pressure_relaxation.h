@@ -41,6 +41,8 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
 
     LoadKind loadKind() const override { return LoadKind::pressure; }
     Body<Dim>& fluid() const override { return *body_; }
+    void rest() override { this->endLoad(); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
     Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const override;
     void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                    Field<Vec<Dim>>& force) const override;

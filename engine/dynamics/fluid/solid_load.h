@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bodies/body.h"
+#include "core/archive.h"
 #include "neighbors/neighbor_list.h"
 
 #include <limits>
@@ -24,6 +25,8 @@ class SolidLoad {
     virtual Body<Dim>& fluid() const = 0;
     /// Time of the step in which it acted last; without one: minus infinity.
     double lastTime() const { return last_time_; }
+    /// The window in which it acted is over.
+    bool hasEnded() const { return has_ended_ != 0; }
     /// Sum of the forces on the solid at the present state; zero when the method does not act on
     /// it. `list`: the fluid's neighbors in the solid, with distances.
     virtual Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const = 0;
@@ -34,17 +37,30 @@ class SolidLoad {
                            Field<Vec<Dim>>& force) const = 0;
 
  protected:
+    void actedAt(double time) {
+        last_time_ = time;
+        has_ended_ = 0;
+    }
+    void endLoad() { has_ended_ = 1; }
+    void transferLoad(Archive& archive) {
+        archive.value("last_time", last_time_);
+        archive.value("has_ended", has_ended_);
+    }
+
+ private:
     double last_time_ = -std::numeric_limits<double>::infinity();
+    std::int64_t has_ended_ = 0;
 };
 
 /// The load by which that fluid pushes at present: of several, which share the time of the run, the
-/// one that acted last, and before any has, the first. nullptr when there is none.
+/// one that acted last, and before any has, the first. nullptr when there is none, or all have
+/// ended.
 template <int Dim>
 const SolidLoad<Dim>* presentLoad(const std::vector<const SolidLoad<Dim>*>& loads,
                                   const Body<Dim>& fluid, LoadKind kind) {
     const SolidLoad<Dim>* present = nullptr;
     for (const SolidLoad<Dim>* load : loads)
-        if (load->loadKind() == kind && &load->fluid() == &fluid &&
+        if (load->loadKind() == kind && &load->fluid() == &fluid && !load->hasEnded() &&
             (!present || load->lastTime() > present->lastTime()))
             present = load;
     return present;

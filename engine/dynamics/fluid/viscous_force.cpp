@@ -128,7 +128,7 @@ double ViscousForce<Dim>::factor() const {
 
 template <int Dim>
 void ViscousForce<Dim>::run(int, const Clock& clock) {
-    this->last_time_ = clock.time;
+    this->actedAt(clock.time);
     if (form_ == ViscousForm::laplacian)
         accelerate<ViscousForm::laplacian>();
     else
@@ -245,6 +245,7 @@ void declareViscousForce(input::Registry& registry) {
                     "too weak in shear flow along walls"},
                }),
                "sum over pairs");
+    d.trait("sums_over_itself");
     d.action("", "")
         .reads("body", {"velocity", "mass", "volume", "neighbors"})
         .reads("neighbors.solid", {"normal", "depth", "volume"})

@@ -51,6 +51,8 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
 
     LoadKind loadKind() const override { return LoadKind::viscous; }
     Body<Dim>& fluid() const override { return *body_; }
+    void rest() override { this->endLoad(); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
     Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const override;
     void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                    Field<Vec<Dim>>& force) const override;

@@ -28,7 +28,11 @@ void declareGravity(input::Registry& registry) {
                "fluid or elastic body");
     d.required("acceleration", &P::acceleration, input::coordinates(unit::acceleration),
                "acceleration of free fall, a vector");
-    d.action("", "").accumulates("body", {"external_acceleration"});
+    d.action("", "")
+        .accumulates("body", {"external_acceleration"})
+        .throughout(
+            "the pressure of a fluid at rest and the potential energy count on it at all times; "
+            "force.body_force can act at times");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         return std::make_unique<Gravity<Dim>>(bodyOf(context, p.body), p.acceleration.as<Dim>());
     }));

@@ -12,7 +12,7 @@ struct GravityParameters {
 };
 
 /// Uniform gravity. The body knows it from the start: the potential energy and the pressure step
-/// of a resting fluid use it.
+/// of a resting fluid use it, so it acts throughout.
 template <int Dim>
 class Gravity final : public Method {
  public:

@@ -13,8 +13,7 @@ struct FluidForceParameters {
 };
 
 /// Force of a fluid on the particles of a solid: exactly minus what the fluid has felt from them,
-/// by the pair terms of the fluid's own method (fluid::SolidLoad). Written to `force`, so a solid
-/// has one fluid of each kind of load.
+/// by the pair terms of the fluid's own method (fluid::SolidLoad). Added to `force`.
 template <int Dim>
 class FluidForce : public Method {
  public:

@@ -17,7 +17,7 @@ void declarePressureForce(input::Registry& registry) {
     d.action("", "")
         .reads("body", {"normal", "volume", "average_velocity", "neighbors"})
         .reads("from", {"pressure", "density", "volume", "external_acceleration"})
-        .writes("body", {"pressure_force"})
+        .accumulates("body", {"pressure_force"})
         .within("from", "step");
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         Body<Dim>& body = bodyOf(context, p.body);

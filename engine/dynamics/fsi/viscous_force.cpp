@@ -16,7 +16,7 @@ void declareViscousForce(input::Registry& registry) {
     d.action("", "")
         .reads("body", {"normal", "depth", "volume", "average_velocity", "neighbors"})
         .reads("from", {"velocity", "volume", "fresh_viscous_load"})
-        .writes("body", {"viscous_force"});
+        .accumulates("body", {"viscous_force"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
         Body<Dim>& body = bodyOf(context, p.body);
         return std::make_unique<FluidForce<Dim>>(context, body, bodyOf(context, p.from),

@@ -9,7 +9,10 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
+#include <map>
 #include <random>
+#include <string>
 
 using namespace sphinx;
 using namespace sphinx::fluid;
@@ -85,6 +88,28 @@ struct Meeting {
     Body<Dim>* solid;
 };
 
+/// Values by their name.
+struct Memory final : Archive {
+    bool is_loading = false;
+    std::map<std::string, double, std::less<>> numbers;
+    std::map<std::string, std::int64_t, std::less<>> integers;
+
+    bool loading() const override { return is_loading; }
+    void value(std::string_view name, double& v) override { keep(numbers, name, v); }
+    void value(std::string_view name, std::int64_t& v) override { keep(integers, name, v); }
+    void value(std::string_view, std::string&) override { FAIL("no text is expected"); }
+    void enter(std::string_view) override {}
+    void leave() override {}
+
+    template <class T>
+    void keep(std::map<std::string, T, std::less<>>& all, std::string_view name, T& v) {
+        if (is_loading)
+            v = all.at(std::string(name));
+        else
+            all.emplace(name, v);
+    }
+};
+
 template <int Dim>
 Vec<Dim> sumOf(const Field<Vec<Dim>>& values) {
     Vec<Dim> sum = Vec<Dim>::Zero();
@@ -129,6 +154,7 @@ TEST_CASE(
     for (PressureRelaxation<2>* acting : {&first, &first, &second, &second}) {
         const Vec<2> before = meeting.momentum();
         acting->run(0, {time, dt, 0});
+        force.setZero();  // as the loop does
         load.run(0, {time, dt, 0});
         const Vec<2> taken = (before - meeting.momentum()) / dt;
         CHECK((taken - sumOf<2>(force)).norm() < 1e-12 * taken.norm());
@@ -136,6 +162,50 @@ TEST_CASE(
         meeting.relations.update({meeting.fluid, meeting.solid});
         time += dt;
     }
+}
+
+TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
+    Meeting<2> meeting;
+    const auto present = [&](const Context<2>& context) {
+        return presentLoad(context.loads, *meeting.fluid, LoadKind::viscous);
+    };
+    using Viscous = ViscousForce<2>;
+    Viscous first(meeting.context, *meeting.fluid, WallSlip::no_slip, ViscousForm::central);
+    Viscous second(meeting.context, *meeting.fluid, WallSlip::no_slip, ViscousForm::laplacian);
+    meeting.relations.update({meeting.fluid, meeting.solid});
+    first.run(0, {0, 0.1, 0});
+    second.run(0, {0.1, 0.1, 1});
+    CHECK(present(meeting.context) == &second);
+
+    Context<2> resumed{meeting.world, meeting.relations};
+    Viscous same_first(resumed, *meeting.fluid, WallSlip::no_slip, ViscousForm::central);
+    Viscous same_second(resumed, *meeting.fluid, WallSlip::no_slip, ViscousForm::laplacian);
+    const auto resume = [&] {
+        for (const auto& [from, to] : {std::pair{&first, &same_first}, {&second, &same_second}}) {
+            Memory memory;
+            from->transfer(memory);
+            memory.is_loading = true;
+            to->transfer(memory);
+        }
+    };
+    CHECK(present(resumed) == &same_first);
+    resume();
+    CHECK(present(resumed) == &same_second);
+
+    second.rest();
+    CHECK(present(meeting.context) == &first);
+    first.rest();
+    CHECK(present(meeting.context) == nullptr);
+    resume();
+    CHECK(present(resumed) == nullptr);
+    auto& force = meeting.solid->particles.vector(fields::viscous_force);
+    fsi::FluidForce<2> load(resumed, *meeting.solid, *meeting.fluid, LoadKind::viscous, force);
+    meeting.relations.update({meeting.fluid, meeting.solid});
+    load.run(0, {});
+    CHECK(sumOf<2>(force).norm() == 0);
+    same_first.run(0, {0.2, 0.1, 2});
+    load.run(0, {});
+    CHECK(sumOf<2>(force).norm() > 0.01);
 }
 
 TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that viscosity takes from the fluid", "",

@@ -136,13 +136,21 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
             CHECK((wall.particles.vector(fields::velocity)[i] - v).norm() < 1e-13);
             CHECK((wall.particles.vector(fields::acceleration)[i] - a).norm() < 1e-12);
         }
+        motion.rest();
+        for (std::size_t i = 0; i < wall.size(); ++i) {
+            CHECK(wall.particles.vector(fields::velocity)[i].norm() == 0);
+            CHECK(wall.particles.vector(fields::acceleration)[i].norm() == 0);
+        }
     }
     SECTION("a part, along one axis") {
         scene.addPart(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
         PrescribedWallMotion<2> motion(scene.world.domain, Part<2>(scene.world, {"wall.end", {}}),
                                        texts, {1});
         motion.run(0, clock);
+        wall.particles.vector(fields::velocity).data()[wall.size() - 1][0] = 9;
+        motion.rest();
         CHECK(wall.particles.vector(fields::velocity)[0] == Vec<2>(7, 8));
+        CHECK(wall.particles.vector(fields::velocity)[wall.size() - 1] == Vec<2>(9, 0));
         for (std::size_t i = 0; i < wall.size(); ++i) {
             CHECK(wall.particles.position()[i][0] == R[i][0]);
             const double y = R[i][0] > 0.5 ? R[i][1] - 0.75 * 0.75 * R[i][0] : R[i][1];

@@ -42,7 +42,8 @@ TEMPLATE_TEST_CASE_SIG("the height of a flat surface is found within a hundredth
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("at a wall the fluid fills what the wall leaves", "", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("at a wall the fluid fills what the wall leaves", "", ((int Dim), Dim), 2,
+                       3) {
     using V = Vec<Dim>;
     Scene<Dim> scene;
     V upper = V::Ones();

@@ -83,7 +83,7 @@ TEST_CASE("what is written in a part of the time only is not there in the rest")
               "15 error look reads mark of wall, which mark writes only at times from 1 until 1.1: "
               "let it be written in the other steps before it is read, or in start"});
     // The first step is within its window.
-    CHECK(with(limited(mark, {}, 1.0), look).empty());
+    CHECK(with(limited(mark, {}, 1.0), limited(look, {}, 1.0)).empty());
     // What a former step has written is there.
     CHECK(with(limited(look, 1.0, {}), mark).empty());
     CHECK(

@@ -114,3 +114,77 @@ TEST_CASE("moments of every outside of the window pass") {
     // Due in steps 2, 5, 8, 11, 14; the window holds 4 to 10.
     CHECK(stepsOf(journal, "act") == Numbers{5, 8});
 }
+
+namespace {
+
+/// Writes down when it rests.
+class Resting : public Recorder {
+ public:
+    Resting(std::string name, Journal& journal)
+        : Recorder(name, journal), name_(std::move(name)), journal_(journal) {}
+    void rest() override { journal_.push_back({name_ + " rests", 0, 0, 0}); }
+
+ private:
+    std::string name_;
+    Journal& journal_;
+};
+
+std::vector<std::string> namesOf(const Journal& journal) {
+    std::vector<std::string> names;
+    for (const Event& event : journal) names.push_back(event.name);
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a method rests once, at the begin of the first step after its window") {
+    Journal journal;
+    Resting mid("mid", journal), other("other", journal), never("never", journal);
+    Recorder first("first", journal);
+    const Layer outer = fixedLayer("outer", 0.25,
+                                   {{Call{"first", &first, 0, {}}},
+                                    limited("mid", mid, 0.25, 0.75),
+                                    limited("other", other, 0.5, {}),
+                                    limited("never", never, 0.1, 0.2)});
+    LayerRun run(outer, 0);
+    for (int k = 0; k < 5; ++k) run.stepFreely();
+    CHECK(namesOf(journal) == Names{"first", "first", "mid", "first", "mid", "other", "mid rests",
+                                    "first", "other", "first", "other"});
+}
+
+TEST_CASE("a method that goes on in another window rests before it acts again") {
+    Journal journal;
+    Resting act("act", journal);
+    // In either order: the line that ends does not take back what the other one does.
+    const bool swapped = GENERATE(false, true);
+    std::vector<Step> lines{limited("act", act, {}, 0.5), limited("act", act, 0.5, {})};
+    if (swapped) std::swap(lines[0], lines[1]);
+    const Layer outer = fixedLayer("outer", 0.25, std::move(lines));
+    LayerRun run(outer, 0);
+    for (int k = 0; k < 4; ++k) run.stepFreely();
+    CHECK(namesOf(journal) == Names{"act", "act", "act rests", "act", "act"});
+}
+
+TEST_CASE("a resumed run knows whose window is under way") {
+    const auto events = [](int steps_before) {
+        Journal journal;
+        Resting act("act", journal);
+        const Layer inner = fixedLayer("inner", 0.25, {limited("act", act, {}, 0.75)});
+        const Layer outer = fixedLayer("outer", 0.25, {{inner}});
+        MemoryArchive saved;
+        {
+            LayerRun run(outer, 0);
+            for (int k = 0; k < steps_before; ++k) run.stepFreely();
+            run.transfer(saved);
+        }
+        MemoryArchive loaded(saved.saved);
+        LayerRun run(outer, 0);
+        run.transfer(loaded);
+        for (int k = steps_before; k < 5; ++k) run.stepFreely();
+        return namesOf(journal);
+    };
+    for (const int steps_before : {0, 1, 2, 3, 4})
+        CHECK(events(steps_before) == Names{"act", "act", "act", "act rests"});
+}

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dam_break_facts.h"
+
+#include <catch2/catch.hpp>
+
+using namespace sphinx;
+using namespace sphinx::loop;
+using namespace sphinx::loop::fake;
+
+namespace {
+
+LineFacts limited(LineFacts line, std::optional<double> from, std::optional<double> until) {
+    line.window = {from, until};
+    return line;
+}
+
+/// The dam break with lines before all others.
+struct Marked : DamBreak {
+    const LineFacts mark{14, "mark", {write("wall", "mark")}, {}, false};
+    const LineFacts look{15, "look", {read("wall", "mark")}, {}, false};
+
+    Messages with(const std::vector<StepFacts>& lines) const {
+        LoopFacts all = facts();
+        all.outermost.steps.insert(all.outermost.steps.begin(), lines.begin(), lines.end());
+        return found(all);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("what has ceased to be written is not read on") {
+    const Marked lines;
+    const Messages until_1{
+        "15 error look reads mark of wall, which mark writes only at times until 1: it would keep "
+        "its last value for ever; let look end with it, or something write it later"};
+    CHECK(lines.with({{limited(lines.mark, {}, 1.0)}, {lines.look}}) == until_1);
+    CHECK(lines.with({{limited(lines.mark, {}, 1.0)}, {limited(lines.look, 0.5, 3.0)}}) == until_1);
+    CHECK(lines.with({{limited(lines.mark, {}, 1.0)}, {limited(lines.look, {}, 1.0)}}).empty());
+    SECTION("a value from the start does not come back") {
+        LoopFacts all = lines.facts();
+        all.start.push_back(lines.mark);
+        all.outermost.steps.insert(all.outermost.steps.begin(),
+                                   {{limited(lines.mark, {}, 1.0)}, {lines.look}});
+        CHECK(found(all) == until_1);
+    }
+    SECTION("a pause is none, nor is another writer") {
+        CHECK(
+            lines
+                .with(
+                    {{limited(lines.mark, {}, 1.0)}, {limited(lines.mark, 2.0, {})}, {lines.look}})
+                .empty());
+        CHECK(lines
+                  .with({{limited(lines.mark, {}, 1.0)},
+                         {lines.look},
+                         {LineFacts{16, "other", {write("wall", "mark")}, {}, false}}})
+                  .empty());
+    }
+    SECTION("one message for what is read too early and too late") {
+        CHECK(
+            lines.with({{limited(lines.mark, 1.0, 1.1)}, {limited(lines.look, 2.0, {})}}).size() ==
+            1);
+    }
+}
+
+TEST_CASE("an inner layer looks at what the layer around it has ceased to write") {
+    const Marked lines;
+    LoopFacts all = lines.facts();
+    all.outermost.steps.insert(all.outermost.steps.begin(), {limited(lines.mark, {}, 1.0)});
+    auto& inner = std::get<LayerFacts>(all.outermost.steps[3].value).steps;
+    inner.push_back({lines.look});
+    CHECK(found(all).size() == 1);
+    inner.back() = {limited(lines.look, {}, 1.0)};
+    CHECK(found(all).empty());
+}
+
+TEST_CASE("what may stay as it is") {
+    Marked lines;
+    SECTION("a place where something stands still") {
+        const LineFacts push{
+            14, "push", {read("wall", "position"), write("wall", "position")}, {}, false};
+        const LineFacts look{15, "look", {read("wall", "position")}, {}, false};
+        LineFacts update = lines.neighbors;
+        CHECK(lines.with({{limited(push, {}, 1.0)}, {update}, {look}}).empty());
+    }
+    SECTION("what is zero when the window is over") {
+        const LineFacts push{14,
+                             "push",
+                             {write("wall", "velocity"), {AccessMode::release, "wall", "velocity"}},
+                             {},
+                             false};
+        const LineFacts look{15, "look", {read("wall", "velocity")}, {}, false};
+        CHECK(lines.with({{limited(push, {}, 1.0)}, {look}}).empty());
+    }
+    SECTION("what its layer zeroes") {
+        const LineFacts push{14, "push", {add("wall", "force")}, {}, false};
+        const LineFacts look{15, "look", {read("wall", "force")}, {}, false};
+        CHECK(lines.with({{limited(push, {}, 1.0)}, {look}}).empty());
+    }
+    SECTION("the state of a fluid that stands still, for its time step") {
+        LoopFacts all = lines.facts();
+        std::get<LayerFacts>(all.outermost.steps[2].value).steps = {
+            {limited(lines.first_half, {}, 1.0)}, {limited(lines.second_half, {}, 1.0)}};
+        CHECK(found(all).empty());
+    }
+}
