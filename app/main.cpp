@@ -13,14 +13,22 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 #include <new>
+#include <sstream>
 
 namespace {
 
 using namespace sphinx;
 
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+/// What was asked for, all of it or a FileError: a full disk must not look like a short answer.
+void print(const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+        throw FileError(std::string("cannot write the answer: ") + std::strerror(errno));
+}
 
 void printError(const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); }
 
@@ -147,7 +155,11 @@ int run(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? exit_done : exit_case_wrong;
+        std::ostringstream answer, complaint;
+        const bool asked_for = app.exit(e, answer, complaint) == 0;  // --help, --version
+        std::fputs(complaint.str().c_str(), stderr);
+        print(answer.str());
+        return asked_for ? exit_done : exit_case_wrong;
     }
     return code;
 }
@@ -166,8 +178,15 @@ int main(int argc, char** argv) {
     } catch (const sphinx::FileError& e) {
         printError(std::string("error: ") + e.what());
         return sphinx::exit_files_failed;
+    } catch (const std::filesystem::filesystem_error& e) {
+        printError(std::string("error: ") + e.what());
+        return sphinx::exit_files_failed;
     } catch (const std::bad_alloc&) {
         printError("error: the case needs more memory than there is");
         return sphinx::exit_case_wrong;
+    } catch (const std::exception& e) {
+        printError(std::string("error: this is a fault of the program, please report it: ") +
+                   e.what());
+        return sphinx::exit_program_faulty;
     }
 }

@@ -10,6 +10,7 @@ namespace sphinx {
 /// Exit codes of the executable.
 enum ExitCode : int {
     exit_done = 0,
+    exit_program_faulty = 1,
     exit_case_wrong = 2,
     exit_physics_failed = 3,
     exit_files_failed = 4,

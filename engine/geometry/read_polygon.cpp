@@ -73,7 +73,8 @@ Ring readPoints(const std::string& path, const std::string& text) {
 
 std::string contentOf(const std::string& path) {
     // Opening a folder succeeds; reading it is what fails, without a cause.
-    if (std::filesystem::is_directory(path)) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
         throw ShapeError(fmt::format("cannot read {}: it is a folder", path));
     }
     errno = 0;

@@ -70,7 +70,7 @@ CsvSeries::CsvSeries(const Path& path, const std::string& time_unit,
 
 void CsvSeries::append(std::span<const double> row) {
     if (!file_) {
-        if (std::filesystem::exists(path_))
+        if (isThere(path_))
             throw FileError("cannot write " + path_.string() + ": it exists already");
         file_ = File::openAppend(path_);
         file_->write(header_ + "\n");
@@ -85,7 +85,7 @@ void CsvSeries::append(std::span<const double> row) {
 }
 
 void CsvSeries::resume(const Clock& clock) {
-    if (!std::filesystem::exists(path_)) return;
+    if (!isThere(path_)) return;
     LineReader reader(path_);
     std::string line;
     std::uint64_t keep = 0;

@@ -165,7 +165,19 @@ void makeFolder(const Path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) fail("create folder", folder, error.value());
-    if (!std::filesystem::is_directory(folder)) fail("create folder", folder, ENOTDIR);
+    if (!isFolder(folder)) fail("create folder", folder, ENOTDIR);
+}
+
+bool isThere(const Path& path) {
+    std::error_code error;
+    const bool result = std::filesystem::exists(path, error);
+    if (error) fail("look at", path, error.value());
+    return result;
+}
+
+bool isFolder(const Path& path) {
+    std::error_code gone_meanwhile;
+    return isThere(path) && std::filesystem::is_directory(path, gone_meanwhile);
 }
 
 void setAside(const Path& path, std::int64_t step) {

@@ -76,6 +76,9 @@ std::string readFile(const Path& path, std::uint64_t limit);
 /// Makes renames and removals inside the folder durable.
 void syncFolder(const Path& folder);
 void makeFolder(const Path& folder);
+/// Whether something has that name; a FileError where that cannot be told.
+bool isThere(const Path& path);
+bool isFolder(const Path& path);  ///< likewise
 /// Keeps a results file that cannot be continued as NAME.before_STEP.EXTENSION, with a warning.
 void setAside(const Path& path, std::int64_t step);
 /// A file that is not there is as good as removed.

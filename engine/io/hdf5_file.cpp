@@ -7,8 +7,7 @@
 namespace sphinx::io::hdf5 {
 
 SafeFile SafeFile::create(const Path& path) {
-    if (std::filesystem::exists(path))
-        throw FileError("cannot write " + path.string() + ": it exists already");
+    if (isThere(path)) throw FileError("cannot write " + path.string() + ": it exists already");
     SafeFile result(path);
     result.file_ = File::create(temporaryName(path));
     result.visible_ = false;

@@ -34,7 +34,7 @@ void emptyFolder(const Path& folder) {
 /// A run that was killed right at its start leaves no more than the unfinished mark.
 bool isOurs(const Path& folder) {
     const Path mark = folder / resolved_case_name;
-    return std::filesystem::exists(mark) || std::filesystem::exists(temporaryName(mark));
+    return isThere(mark) || isThere(temporaryName(mark));
 }
 
 }  // namespace

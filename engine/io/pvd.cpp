@@ -35,7 +35,7 @@ void writePvd(const Path& path, const std::vector<PvdEntry>& entries,
 }
 
 std::vector<PvdEntry> readPvd(const Path& path) {
-    if (!std::filesystem::exists(path)) return {};
+    if (!isThere(path)) return {};
     const std::string text = readFile(path, size_limit);
     tinyxml2::XMLDocument document;
     const tinyxml2::XMLElement* root = nullptr;

@@ -28,7 +28,7 @@ void ResultsFile::open() {
 
 void ResultsFile::resume() {
     if (file_) return;
-    if (!std::filesystem::exists(path_)) {
+    if (!isThere(path_)) {
         open();
         return commit(true);
     }

@@ -47,7 +47,7 @@ class VtkHdfOutput<Dim>::Series {
     }
 
     void resume(const Clock& clock, std::int64_t frames) {
-        if (!std::filesystem::exists(path_)) return;
+        if (!isThere(path_)) return;
         makeLayout();
         if (!layout_->load(path_, frames)) {
             layout_.reset();

@@ -270,8 +270,7 @@ void VtuOutput<Dim>::resume(const Clock&) {
             writePvd(list, series->entries, parameters_.provenance);
         removeFramesFrom(parameters_.folder, name, ".vtu", frames_);
         // The results of a restart may begin in a folder of their own.
-        if (!std::filesystem::exists(parameters_.folder / series->last_file))
-            series->last_file.clear();
+        if (!isThere(parameters_.folder / series->last_file)) series->last_file.clear();
     }
 }
 
