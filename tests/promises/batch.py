@@ -88,6 +88,44 @@ class Batch(Promise):
         self.assertIn(f"{name}: goes on", said)
         self.assertGreaterEqual(float(self.summary()[name]["time_reached"]), 0.6)
 
+    def one_run(self, end_time, expect):
+        """Of a batch of one, whose setting may differ from that of the time before."""
+        self.batch(CASE, "--set", f"loop.end_time={end_time}", "--slurm", expect=0)
+        return self.batch("--run", "0", expect=expect)
+
+    def state(self):
+        subprocess.run([self.script, "--summary", self.results], capture_output=True, check=False)
+        return self.summary()["strip_2d"]["state"]
+
+    def test_results_in_the_way(self):
+        """They stay as they are, with what the user has put there."""
+        results = self.results / "strip_2d"
+        notes = results / "notes.txt"
+        self.assertIn("strip_2d: finished", self.one_run(0.05, expect=0))
+        shutil.rmtree(results / "restart")
+        notes.write_text("mine")
+        said = self.one_run(0.06, expect=1)
+        self.assertIn(f"scripts/batch: {results} holds results that this batch did not leave "
+                      "unfinished", said)
+        self.assertEqual((notes.read_text(), self.state()), ("mine", "not started (results in the way)"))
+        # The case that they belong to is still finished.
+        self.assertIn("strip_2d: finished before", self.one_run(0.05, expect=0))
+        self.assertEqual(self.state(), "finished")
+
+        # Results of somebody else.
+        (self.results / "strip_2d.status.json").unlink()
+        self.one_run(0.05, expect=1)
+        self.assertEqual(notes.read_text(), "mine")
+        shutil.rmtree(results)
+        self.assertIn("strip_2d: finished", self.one_run(0.05, expect=0))
+
+        # Its own, killed before there was a restart.
+        shutil.rmtree(results / "restart")
+        (results / "profile.json").unlink()
+        status = self.results / "strip_2d.status.json"
+        status.write_text('{"digest": "of the run that was killed", "finished": false}')
+        self.assertIn("strip_2d: finished", self.one_run(0.05, expect=0))
+
     def test_slurm(self):
         said = self.batch(CASE, *SWEEP, "--jobs", "5", "--threads", "3", "--slurm", expect=0)
         job = self.results / "job_array.sh"
