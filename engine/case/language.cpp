@@ -166,11 +166,11 @@ void declareBody(Registry& registry) {
     d.optional("points", &P::points, table(unit::length), "observer: points");
     d.optional("line", &P::line, structure<LineBlock>(block("bodies.line")), "observer: a line");
     d.optional("area", &P::area, structure<AreaBlock>(block("bodies.area")), "observer: an area");
-    d.optional(
-        "follows", &P::follows,
-        choice<Follows>({{"space", Follows::space, "stays where it is"},
-                         {"material", Follows::material, "moves with the nearest particles"}}),
-        "observer: whether it moves");
+    d.optional("follows", &P::follows,
+               choice<Follows>({{"space", Follows::space, "stays where it is"},
+                                {"material", Follows::material,
+                                 "moves with the particles nearest at its first row"}}),
+               "observer: whether it moves");
 }
 
 void declareLoop(Registry& registry) {

@@ -15,6 +15,17 @@ void drop(input::Node& map, std::string_view key) {
     std::erase_if(map.entries, [&](const input::Node::Entry& e) { return e.key == key; });
 }
 
+/// Observers look at the particles, which do not feel them.
+void dropObservers(input::Node& resolved, const Case& model) {
+    for (const char* block : {"bodies", "topology"}) {
+        input::Node* map = resolved.find(block);
+        if (!map) continue;
+        for (const Body& body : model.bodies)
+            if (body.kind == BodyKind::observer) drop(*map, body.name);
+        if (map->entries.empty()) drop(resolved, block);
+    }
+}
+
 /// A file is what it holds, wherever it lies.
 void replaceFiles(input::Node& node, const std::map<std::string, std::string>& files) {
     for (input::Node& item : node.items) replaceFiles(item, files);
@@ -41,6 +52,7 @@ std::string physicsText(const Case& model) {
     // Of the variables only those are left that expressions of place and time use.
     for (const char* key : {"title", "outputs", "include"}) drop(resolved, key);
     if (input::Node* loop = resolved.find("loop")) drop(*loop, "end_time");
+    dropObservers(resolved, model);
     replaceFiles(resolved, model.files);
     return input::writeYaml(resolved, false);
 }

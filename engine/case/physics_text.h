@@ -8,8 +8,9 @@
 
 namespace sphinx::model {
 
-/// The part of a resolved case that the physics depends on, as YAML: without title, outputs and end
-/// time, which a resumed run may change, and with what files hold instead of where they lie.
+/// The part of a resolved case that the physics depends on, as YAML: without title, observers,
+/// outputs and end time, which a resumed run may change, and with what files hold instead of where
+/// they lie.
 std::string physicsText(const Case& model);
 
 /// Lines that only one of two texts has, at most `limit`: "- old" and "+ new".

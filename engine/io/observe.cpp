@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/observe.h"
 
+#include "io/compress.h"
 #include "io/observe_elevation.h"
 #include "io/observe_material.h"
 #include "io/rows_output.h"
 #include "io/series_columns.h"
 #include "io/unit_text.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
@@ -115,6 +117,17 @@ std::vector<std::vector<FieldBase*>> observedFields(const ObserveParameters& p,
     return fields;
 }
 
+/// Tells points and seen bodies, both free to change between a run and its resumption.
+template <int Dim>
+std::string lookedAt(const Body<Dim>& observer) {
+    std::string text;
+    for (std::size_t i = 0; i < observer.size(); ++i)
+        for (int k = 0; k < Dim; ++k)
+            text += fmt::format("{:a} ", observer.particles.position()[i][k]);
+    for (const Body<Dim>* body : observer.sees) text += body->name + " ";
+    return fmt::format("{:016x}", fingerprint(text));
+}
+
 template <int Dim>
 std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Component& component,
                                     const OutputContext<Dim>& context) {
@@ -130,7 +143,7 @@ std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Com
                    "the elevation of the surface is observed at points fixed in "
                    "space, but '" +
                        observer.name + "' follows the material");
-        return makeRowsOutput(component, context, {p, "surface_elevation"},
+        return makeRowsOutput(component, context, {p, "surface_elevation at " + lookedAt(observer)},
                               makeElevationSource(observer, p.observer.place, context));
     }
     std::vector<std::vector<FieldBase*>> fields = observedFields(p, observer);
@@ -140,10 +153,11 @@ std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Com
                                                          context.world.domain);
     else
         weights = std::make_unique<ObserveWeights<Dim>>(observer, context.relations);
-    return makeRowsOutput(component, context,
-                          {p, follows ? "points of the material" : "points in space"},
-                          std::make_unique<ObserveSource<Dim>>(
-                              std::move(weights), std::move(fields), p.mean, context.units));
+    return makeRowsOutput(
+        component, context,
+        {p, (follows ? "points of the material " : "points in space ") + lookedAt(observer)},
+        std::make_unique<ObserveSource<Dim>>(std::move(weights), std::move(fields), p.mean,
+                                             context.units));
 }
 
 }  // namespace

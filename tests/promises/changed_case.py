@@ -48,7 +48,7 @@ class ChangedCase(Promise):
         for change, shown in changes.items():
             with self.subTest(change=change):
                 said = self.sphinx(self.case_file, self.output, "--resume", "--set", change, expect=2)
-                self.assertIn("only title, outputs and loop.end_time may change", said)
+                self.assertIn("only title, observers, outputs and loop.end_time may change", said)
                 self.assertIn(shown, said)
                 self.assertEqual(results.changed(before, content(self.output)), [])
                 newest = list(restarts(self.output).values())[-1]
@@ -77,21 +77,57 @@ class ChangedCase(Promise):
         path, output = self.write_case("drawn", case), self.folder / "drawn_out"
         self.sphinx(path, output, "--set", "loop.end_time=0.3")
         before = content(output)
-        for file, other in ((column, "0 0\n0.6 0\n0.6 0.5\n0 0.6\n"), (points, "1.5, 0.2\n0.3, 0.1\n")):
-            with self.subTest(file=file.name):
-                good = file.read_text()
-                file.write_text(other)
-                said = self.sphinx(path, output, "--resume", expect=2)
-                self.assertRegex(said, rf"\n- +file: .{file.name} \({len(good)} bytes, .*\n"
-                                       rf"\+ +file: .{file.name} \({len(other)} bytes, ")
-                self.assertEqual(results.changed(before, content(output)), [])
-                file.write_text(good)
-        # The same files at another place are the same physics.
+        good, other = column.read_text(), "0 0\n0.6 0\n0.6 0.5\n0 0.6\n"
+        column.write_text(other)
+        said = self.sphinx(path, output, "--resume", expect=2)
+        self.assertRegex(said, rf"\n- +file: .column.txt \({len(good)} bytes, .*\n"
+                               rf"\+ +file: .column.txt \({len(other)} bytes, ")
+        self.assertEqual(results.changed(before, content(output)), [])
+        column.write_text(good)
+        # The same files at another place are the same physics, and what observers read is none.
+        points.write_text("1.5, 0.2\n0.3, 0.1\n")
         elsewhere = self.folder / "elsewhere"
         elsewhere.mkdir()
         for moved in (path, column, points):
             moved.rename(elsewhere / moved.name)
         self.sphinx(elsewhere / path.name, output, "--resume")
+
+    def test_observers_are_free(self):
+        whole = self.folder / "whole"
+        self.sphinx(self.case_file, whole)
+        case = load_case("splash_2d")
+        del case["bodies"]["probe"]["points"][0]
+        case["bodies"]["probe"]["points"].append([0.5, 0.05])
+        case["bodies"]["gauge"] = {"kind": "observer", "points": [[0.2, 0.1]]}
+        case["topology"]["gauge"] = ["water"]
+        case["outputs"]["gauge"] = {"type": "observe", "every": {"time": 0.05}, "observer": "gauge",
+                                    "fields": ["pressure"]}
+        self.write_case("splash_2d", case)
+        self.sphinx(self.case_file, self.output, "--resume")
+        self.assert_same_physics(last_restart(self.output), last_restart(whole))
+        results.check_readable(self.output)
+
+    def test_followers_of_the_material_that_move_attach_anew(self):
+        """One that stays the same keeps its particles, the same as in a run in one go."""
+        case, whole, parts = load_case("gate_2d"), self.folder / "gate_whole", self.folder / "gate_parts"
+        path = self.write_case("gate", case)
+        self.sphinx(path, whole)
+        tip = results.read_csv(whole / "tip.csv")
+        half = float(tip[len(tip) // 2, 0])
+        self.sphinx(path, parts, "--set", f"loop.end_time={half}")
+        shutil.copytree(parts, self.folder / "moved")
+        self.sphinx(path, parts, "--resume")
+        self.assertEqual((parts / "tip.csv").read_text(), (whole / "tip.csv").read_text())
+
+        case["bodies"]["tip"]["points"][0][1] = "4*spacing"
+        self.write_case("gate", case)
+        self.sphinx(path, self.folder / "moved", "--resume")
+        self.assert_same_physics(last_restart(self.folder / "moved"), last_restart(whole))
+        moved = results.read_csv(self.folder / "moved/tip.csv")
+        self.assertEqual(len(moved), len(tip))
+        first = int((moved[:, 0] <= half).sum())
+        self.assertEqual(moved[:first].tolist(), tip[:first].tolist())
+        self.assertTrue((moved[first:, 1:] != tip[first:, 1:]).any(axis=1).all())
 
     def test_damaged_restarts(self):
         whole = self.folder / "whole"
@@ -141,6 +177,35 @@ class ChangedCase(Promise):
         said = self.sphinx(self.case_file, self.output, "--restart", newest, "--overwrite", expect=4)
         self.assertIn("--overwrite would remove", said)
         self.assertEqual(results.changed(before, content(self.output)), [])
+
+    def test_what_a_run_reads_is_not_overwritten(self):
+        part, points = self.output / "part.yaml", self.output / "points.csv"
+        case = load_case("splash_2d")
+        outer = self.folder / "outer.yaml"
+        inner = self.output / "inner.yaml"
+        inner.write_text(self.case_file.read_text())
+        case["bodies"]["probe"]["points"] = {"file": "out/points.csv"}
+        points.write_text("1.5, 0.1\n0.3, 0.1\n")
+        reads_points = self.write_case("reads_points", case)
+        del case["bodies"]["probe"]["points"]
+        part.write_text("title: from the part\n")
+        includes = load_case("splash_2d")
+        del includes["title"]
+        includes["include"] = ["out/part.yaml"]
+        including = self.write_case("including", includes)
+        outer.symlink_to(inner)
+        link = self.output / "link.yaml"
+        link.symlink_to(self.case_file)
+        before = content(self.output)
+        for path, read in ((inner, inner), (reads_points, points), (including, part), (outer, outer),
+                           (link, link)):
+            with self.subTest(path=path):
+                said = self.sphinx(path, self.output, "--overwrite", expect=4)
+                self.assertIn(f"error: --overwrite would remove {read}, which the run reads", said)
+                self.assertEqual(results.changed(before, content(self.output)), [])
+        # Beside the folder they are not in its way.
+        self.sphinx(self.case_file, self.output, "--overwrite", "--set", "loop.end_time=0.1")
+        self.assertFalse(points.exists())
 
 
 if __name__ == "__main__":
