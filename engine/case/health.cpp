@@ -92,12 +92,16 @@ void Health<Dim>::remember() {
 }
 
 template <int Dim>
-std::string Health<Dim>::lastPlace(const sphinx::Body<Dim>& body, std::int64_t id) const {
+std::string Health<Dim>::lastPlace(const sphinx::Body<Dim>& body,
+                                   const std::vector<std::int64_t>& ids) const {
     const Last& last = last_.at(body.name);
-    const auto found = std::find(last.ids.begin(), last.ids.end(), id);
-    if (found == last.ids.end()) return "";
-    const Vec<Dim>& position = last.positions[static_cast<std::size_t>(found - last.ids.begin())];
-    return ", last seen at " + world_.placeText(position) + ",";
+    Box<Dim> box;
+    for (std::size_t i = 0; i < last.ids.size(); ++i)
+        if (std::binary_search(ids.begin(), ids.end(), last.ids[i])) box.include(last.positions[i]);
+    if (box.empty()) return "";
+    const std::string lower = world_.placeText(box.lower), upper = world_.placeText(box.upper);
+    return ids.size() == 1 ? fmt::format(", last seen at {},", lower)
+                           : fmt::format(", last seen between {} and {},", lower, upper);
 }
 
 template <int Dim>
@@ -130,30 +134,42 @@ void Health<Dim>::check(const Clock& clock) {
 }
 
 template <int Dim>
-void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const {
+std::vector<std::int64_t> Health<Dim>::spoilt(const sphinx::Body<Dim>& body,
+                                              const FieldInfo& info) {
     auto& particles = const_cast<ParticleSet<Dim>&>(body.particles);
-    // The field closest to the cause first: a bad density spoils pressure, then velocity.
-    for (const FieldInfo* info : {&fields::density, &fields::velocity}) {
-        FieldBase& field = particles.require(*info);
-        const int n = field.components();
-        for (std::size_t i = 0; i < body.size(); ++i)
-            for (int c = 0; c < n; ++c) {
-                const double value =
-                    field.numbers()[i * static_cast<std::size_t>(n) + static_cast<std::size_t>(c)];
-                if (std::isfinite(value)) continue;
-                const std::int64_t id = particles.id()[i];
-                const auto writer = last_writer_.find({body.name, std::string(info->name)});
-                throw PhysicsError(fmt::format(
-                    "{} of particle {} of {}{} is {} after {} at time {}; a smaller cfl{} may "
-                    "help",
-                    info->name, id, body.name, lastPlace(body, id), value,
-                    writer == last_writer_.end() ? "the step" : writer->second,
-                    world_.quantityText(clock.time, unit::time),
-                    body.kind == BodyKind::fluid ? " or a higher sound_speed" : ""));
-            }
+    FieldBase& field = particles.require(info);
+    const auto width = static_cast<std::size_t>(field.components());
+    std::vector<std::int64_t> ids;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const double* values = field.numbers() + i * width;
+        if (!std::all_of(values, values + width, [](double v) { return std::isfinite(v); }))
+            ids.push_back(particles.id()[i]);
     }
-    throw PhysicsError(fmt::format("speeds of {} are too large to square at time {}", body.name,
-                                   world_.quantityText(clock.time, unit::time)));
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+template <int Dim>
+void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const {
+    // Particles spoil their neighbors: the field that fewest have lost is the closest to the cause.
+    const FieldInfo* info = &fields::density;
+    std::vector<std::int64_t> ids = spoilt(body, *info);
+    std::vector<std::int64_t> others = spoilt(body, fields::velocity);
+    if (ids.empty() || (!others.empty() && others.size() < ids.size())) {
+        info = &fields::velocity;
+        ids = std::move(others);
+    }
+    if (ids.empty())
+        throw PhysicsError(fmt::format("speeds of {} are too large to square at time {}", body.name,
+                                       world_.quantityText(clock.time, unit::time)));
+    const auto writer = last_writer_.find({body.name, std::string(info->name)});
+    throw PhysicsError(fmt::format(
+        "{} of {} of {}{} is not finite after {} at time {}; a smaller cfl{} may help", info->name,
+        ids.size() == 1 ? fmt::format("particle {}", ids.front())
+                        : fmt::format("{} of {} particles", ids.size(), body.size()),
+        body.name, lastPlace(body, ids), writer == last_writer_.end() ? "the step" : writer->second,
+        world_.quantityText(clock.time, unit::time),
+        body.kind == BodyKind::fluid ? " or a higher sound_speed" : ""));
 }
 
 template class Health<2>;

@@ -19,7 +19,7 @@ class Health {
  public:
     Health(const World<Dim>& world, const loop::LoopFacts& facts);
 
-    /// Throws PhysicsError that names particle, position, method and time.
+    /// Throws PhysicsError that names particles, position, method and time.
     void check(const Clock& clock);
 
  private:
@@ -30,7 +30,12 @@ class Health {
     };
 
     void remember();
-    std::string lastPlace(const sphinx::Body<Dim>& body, std::int64_t id) const;
+    /// Ids of the particles whose value of the field is not finite.
+    static std::vector<std::int64_t> spoilt(const sphinx::Body<Dim>& body, const FieldInfo& info);
+    /// Where particles were when they were looked at last: ", last seen at (1, 2)," or, of several,
+    /// in what box. Empty for particles that were not there.
+    std::string lastPlace(const sphinx::Body<Dim>& body,
+                          const std::vector<std::int64_t>& ids) const;
     [[noreturn]] void fail(const sphinx::Body<Dim>& body, const Clock& clock) const;
 
     const World<Dim>& world_;

@@ -3,6 +3,7 @@
 """Runs that blow up or cannot write stop with one message and damage nothing."""
 
 import os
+import re
 import resource
 import shutil
 import signal
@@ -12,7 +13,7 @@ import unittest
 import numpy as np
 
 import results
-from support import Promise, Restart, last_restart, restarts
+from support import SPHINX, Promise, Restart, last_restart, load_case, restarts
 
 NOBODY = 65534
 LOOP = ("[density_summation, viscosity, gravity, {layer: acoustic, dt: 0.02, "
@@ -42,8 +43,9 @@ class BlownUp(Promise):
         # The square root of a negative number from 0.3 on.
         force = "{type: force.body_force, body: water, acceleration: ['sqrt(0.3 - t)', -1]}"
         output, message = self.stops(f"dynamics.gravity={force}")
-        self.assertRegex(message, r"^error: (density|velocity) of particle \d+ of water, last seen at "
-                                  r"\(0\.\d+, 0\.\d+\), is -?nan after \S+ at time 0\.3\d*;")
+        self.assertRegex(message, r"^error: (density|velocity) of \d\d+ of \d+ particles of water, last seen "
+                                  r"between \(0\.\d+, 0\.\d+\) and \(0\.\d+, 0\.\d+\), is not finite "
+                                  r"after \S+ at time 0\.3\d*;")
         self.good_restarts(output, 0.25)
 
     def test_number_that_stops_being_one_before_a_sort(self):
@@ -51,14 +53,37 @@ class BlownUp(Promise):
         force = "{type: force.body_force, body: water, acceleration: ['sqrt(0.3 - t)', -1]}"
         loop = LOOP.replace("neighbors]", "sort, neighbors]").replace("0.02", "0.002")
         output, message = self.stops(f"dynamics.gravity={force}", "loop.steps=" + loop)
-        self.assertRegex(message, r"^error: \S+ of particle \d+ of water.* is .*nan.* at time 0\.3\d*")
+        self.assertRegex(message, r"^error: \S+ of \d+ of \d+ particles of water, .* is not finite .* at time 0\.3\d*")
         self.good_restarts(output, 0.25)
+
+    def test_place_of_a_number_that_stops_being_one(self):
+        """It has spread to neighbors at the end of the step; the box tells where from."""
+        force = "'(x < 0.1 && y < 0.1 && t > 0.05) ? sqrt(0 - 1) : 0'"
+        _, message = self.stops("variables.spacing=0.0125", "dynamics.gravity={type: force.body_force, "
+                                f"body: water, acceleration: [{force}, -1]}}")
+        found = re.match(r"error: \w+ of (\d+) of (\d+) particles of water, last seen between "
+                         r"\((\S+), (\S+)\) and \((\S+), (\S+)\), is not finite", message)
+        self.assertIsNotNone(found, message)
+        some, every = map(int, found.groups()[:2])
+        left, below, right, above = map(float, found.groups()[2:])
+        self.assertLess(some, every)
+        self.assertLess(max(left, below), 0.1)
+        self.assertLess(max(right, above), 0.5)
 
     def test_blow_up(self):
         # Far above the limit of stability: particles fly apart within some steps.
         output, message = self.stops("loop.dt=0.02", "loop.steps=" + LOOP)
         self.assertRegex(message, r"particle \d+ of water left the domain at \(.*\), time \S+")
         self.good_restarts(output, 0.02)
+
+    def test_motion_of_a_wall_that_stops_being_a_number(self):
+        case, output = load_case("tank_2d"), self.folder / "out"
+        motion = next(method for method in case["dynamics"].values()
+                      if method["type"] == "constraint.prescribed_motion")
+        motion["displacement"][0] = "x < 0 && t > 0.05 ? sqrt(0 - 1) : 0"
+        said = self.sphinx(self.write_case("tank_2d", case), output, expect=3)
+        self.assertRegex(self.fails(said), r"^error: the prescribed motion of wall displaces the particle that "
+                                           r"began at \(-0\.\d+, -?\d\.\d+\) by -?nan along x at time 0\.05\d*$")
 
     def good_restarts(self, output, time):
         kept = restarts(output)
@@ -102,8 +127,9 @@ class BrokenSolid(Promise):
         case = self.case("strip_2d", dynamics__load=load, outputs__restart={
             "type": "restart", "every": {"steps": 1}, "keep": 1})
         said = self.sphinx(case, output, expect=3)
-        self.assertRegex(said, r"error: velocity of particle \d+ of strip, last seen at \(\S+, \S+\) m, "
-                               r"is -?nan after \S+ at time 0\.2\d* s; a smaller cfl may help")
+        self.assertRegex(said, r"error: velocity of \d+ of \d+ particles of strip, last seen between "
+                               r"\(\S+, \S+\) m and \(\S+, \S+\) m, is not finite after \S+ at time 0\.2\d* s; "
+                               r"a smaller cfl may help")
         kept = last_restart(output)
         self.assertGreaterEqual(kept.time, 0.19)
         for field in ("position", "velocity", "acceleration", "deformation_gradient"):
@@ -203,6 +229,25 @@ class CannotWrite(Promise):
             self.assertEqual(results.changed(before, results.content(kept)), [])
         for folder in (kept, kept / "restart"):
             folder.chmod(0o755)
+
+    def test_folder_that_cannot_be_looked_at(self):
+        hidden = self.folder / "hidden"
+        hidden.mkdir(mode=0o000)
+        long_name = self.folder / ("a" * 300)
+        for output, reason in ((hidden / "out", "Permission denied"), (long_name, "File name too long")):
+            for arguments in ([], ["--resume"], ["--overwrite"]):
+                said = self.sphinx(self.case_file, output, *arguments, expect=4, **self.as_nobody())
+                self.assertRegex(said, rf"^error: .*{reason}\n$")
+        hidden.chmod(0o755)
+
+    def test_answer_to_a_full_disk(self):
+        for verb in (["show", self.case_file], ["check", self.case_file], ["list"], ["schema"],
+                     ["schema", "--markdown"], ["describe", "loop"], ["--help"], ["--version"]):
+            with self.subTest(verb=verb), open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([SPHINX, *map(str, verb)], stdout=full, stderr=subprocess.PIPE,
+                                      text=True, check=False)
+                self.assertEqual(done.returncode, 4)
+                self.assertEqual(done.stderr, "error: cannot write the answer: No space left on device\n")
 
 
 if __name__ == "__main__":

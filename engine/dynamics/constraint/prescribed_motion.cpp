@@ -2,24 +2,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/constraint/prescribed_motion.h"
 
+#include "core/errors.h"
 #include "core/parallel.h"
 #include "materials/elastic_solid.h"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
 namespace sphinx::constraint {
 
 template <int Dim>
-PrescribedMotion<Dim>::PrescribedMotion(Part<Dim> part,
+PrescribedMotion<Dim>::PrescribedMotion(const World<Dim>& world, Part<Dim> part,
                                         std::vector<input::FieldExpression> displacement,
                                         const std::vector<int>& directions)
-    : part_(part),
+    : world_(&world),
+      part_(part),
       position_(part.body().particles.position()),
       velocity_(part.body().particles.vector(fields::velocity)),
       initial_position_(part.body().particles.vector(fields::initial_position)),
       displacement_(std::move(displacement)) {
     moves_.fill(directions.empty());
     for (const int axis : directions) moves_[static_cast<std::size_t>(axis)] = true;
+}
+
+template <int Dim>
+void PrescribedMotion<Dim>::requireFinite(std::initializer_list<double> times) const {
+    for (const double time : times) {
+        const auto u = displacement(time);
+        for (std::size_t n = 0; n < part_.size(); ++n) {
+            const Vec<Dim>& start = initial_position_[part_[n]];
+            for (int c = 0; c < Dim; ++c)
+                if (moves(c) && !std::isfinite(u(start, c)))
+                    throw PhysicsError(
+                        fmt::format("the prescribed motion of {} displaces the particle that began "
+                                    "at {} by {} along {} at time {}",
+                                    part_.body().name, world_->placeText(start), u(start, c),
+                                    "xyz"[c], world_ -> quantityText(time, unit::time)));
+        }
+    }
 }
 
 template <int Dim>
@@ -50,22 +71,23 @@ void PrescribedSolidMotion<Dim>::run(int, const Clock& clock) {
             return sum;
         },
         [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
+    if (!momentum.allFinite()) this->requireFinite({clock.time, clock.time + dt});
     this->reaction_ = momentum / dt;
 }
 
 template <int Dim>
-PrescribedWallMotion<Dim>::PrescribedWallMotion(const Domain<Dim>& domain, Part<Dim> part,
+PrescribedWallMotion<Dim>::PrescribedWallMotion(const World<Dim>& world, Part<Dim> part,
                                                 std::vector<input::FieldExpression> displacement,
                                                 const std::vector<int>& directions)
-    : PrescribedMotion<Dim>(part, std::move(displacement), directions),
-      domain_(&domain),
+    : PrescribedMotion<Dim>(world, part, std::move(displacement), directions),
       acceleration_(part.body().particles.vector(fields::acceleration)) {}
 
 template <int Dim>
 double PrescribedWallMotion<Dim>::wrapped(double x, int axis) const {
-    if (!domain_->periodic[static_cast<std::size_t>(axis)]) return x;
-    const double lower = domain_->bounds.lower[axis];
-    const double period = domain_->bounds.upper[axis] - lower;
+    const Domain<Dim>& domain = this->world_->domain;
+    if (!domain.periodic[static_cast<std::size_t>(axis)]) return x;
+    const double lower = domain.bounds.lower[axis];
+    const double period = domain.bounds.upper[axis] - lower;
     return x - period * std::floor((x - lower) / period);
 }
 
@@ -79,9 +101,10 @@ void PrescribedWallMotion<Dim>::run(int, const Clock& clock) {
     const auto before = this->displacement(clock.time);
     const auto middle = this->displacement(clock.time + half);
     const auto after = this->displacement(clock.time + dt);
-    parallelFor(this->part_.size(), [&](std::size_t n) {
+    const double sum = parallelSum(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
         const Vec<Dim>& start = this->initial_position_[i];
+        double moved = 0;
         for (int c = 0; c < Dim; ++c) {
             if (!this->moves(c)) continue;
             const double u0 = before(start, c);
@@ -90,8 +113,11 @@ void PrescribedWallMotion<Dim>::run(int, const Clock& clock) {
             velocity[i][c] = (u2 - u0) / dt;
             acceleration_[i][c] = ((u2 - u1) - (u1 - u0)) / (half * half);
             position[i][c] = wrapped(start[c] + u2, c);
+            moved += u0 + u1 + u2;
         }
+        return moved;
     });
+    if (!std::isfinite(sum)) this->requireFinite({clock.time, clock.time + half, clock.time + dt});
     ++this->part_.body().version;
 }
 
@@ -131,14 +157,15 @@ void declarePrescribedMotion(input::Registry& registry) {
         .writes("part", {"position", "velocity", "acceleration"})
         .releases("part", {"velocity", "acceleration"})
         .within("part", "step");
-    d.builder(factory<Method, P>([]<int Dim>(const P& p,
-                                             Context<Dim>& context) -> std::unique_ptr<Method> {
-        const Part<Dim> part(context.world, p.part);
-        if (dynamic_cast<const ElasticSolid*>(part.body().material.get()))
-            return std::make_unique<PrescribedSolidMotion<Dim>>(part, p.displacement, p.directions);
-        return std::make_unique<PrescribedWallMotion<Dim>>(context.world.domain, part,
-                                                           p.displacement, p.directions);
-    }));
+    d.builder(factory<Method, P>(
+        []<int Dim>(const P& p, Context<Dim>& context) -> std::unique_ptr<Method> {
+            const Part<Dim> part(context.world, p.part);
+            if (dynamic_cast<const ElasticSolid*>(part.body().material.get()))
+                return std::make_unique<PrescribedSolidMotion<Dim>>(context.world, part,
+                                                                    p.displacement, p.directions);
+            return std::make_unique<PrescribedWallMotion<Dim>>(context.world, part, p.displacement,
+                                                               p.directions);
+        }));
 }
 
 template class PrescribedMotion<2>;

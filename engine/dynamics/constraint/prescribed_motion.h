@@ -8,6 +8,7 @@
 #include "input/vector_at_time.h"
 
 #include <array>
+#include <initializer_list>
 
 namespace sphinx::constraint {
 
@@ -22,7 +23,8 @@ struct PrescribedMotionParameters {
 template <int Dim>
 class PrescribedMotion : public Method {
  public:
-    PrescribedMotion(Part<Dim> part, std::vector<input::FieldExpression> displacement,
+    PrescribedMotion(const World<Dim>& world, Part<Dim> part,
+                     std::vector<input::FieldExpression> displacement,
                      const std::vector<int>& directions);
     std::size_t workSize() const override { return part_.size(); }
 
@@ -30,7 +32,10 @@ class PrescribedMotion : public Method {
     bool moves(int axis) const { return moves_[static_cast<std::size_t>(axis)]; }
     /// u at one time, length.
     input::VectorAtTime<Dim> displacement(double time) const { return {displacement_, time}; }
+    /// Throws PhysicsError where u is not finite at one of these times.
+    void requireFinite(std::initializer_list<double> times) const;
 
+    const World<Dim>* world_;
     Part<Dim> part_;
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& velocity_;
@@ -61,7 +66,7 @@ class PrescribedSolidMotion final : public PrescribedMotion<Dim>, public Support
 template <int Dim>
 class PrescribedWallMotion final : public PrescribedMotion<Dim> {
  public:
-    PrescribedWallMotion(const Domain<Dim>& domain, Part<Dim> part,
+    PrescribedWallMotion(const World<Dim>& world, Part<Dim> part,
                          std::vector<input::FieldExpression> displacement,
                          const std::vector<int>& directions);
     void run(int action, const Clock& clock) override;
@@ -71,7 +76,6 @@ class PrescribedWallMotion final : public PrescribedMotion<Dim> {
     /// Into the period of the domain.
     double wrapped(double x, int axis) const;
 
-    const Domain<Dim>* domain_;
     Field<Vec<Dim>>& acceleration_;
 };
 

@@ -41,7 +41,8 @@ TEST_CASE("an elastic part is where its motion says after every step") {
     };
     const auto texts = expressions({"0.02*sin(30*t)", "0.5*t*x"}, unit::length);
     const bool only_y = GENERATE(false, true);
-    PrescribedSolidMotion<2> motion(left, texts, only_y ? std::vector<int>{1} : std::vector<int>{});
+    PrescribedSolidMotion<2> motion(scene.world, left, texts,
+                                    only_y ? std::vector<int>{1} : std::vector<int>{});
     double other = 0;  // motion of the particles that are free, or along the free axis
     for (int k = 0; k < 200; ++k) {
         const double begin = stepper.clock.time;
@@ -69,7 +70,7 @@ TEST_CASE("what moves a body as a whole gives its mass times its acceleration") 
     ElasticScene<3> scene;
     Body<3>& body = scene.add("block", scene.lattice({4, 4, 4}, 0.1));
     Stepper<3> stepper(scene.context, body);
-    PrescribedSolidMotion<3> motion(Part<3>(scene.world, {"block", {}}),
+    PrescribedSolidMotion<3> motion(scene.world, Part<3>(scene.world, {"block", {}}),
                                     expressions({"1.5*t^2", "0", "-2*t^2"}, unit::length), {});
     double mass = 0;
     for (std::size_t i = 0; i < body.size(); ++i) mass += body.particles.scalar(fields::mass)[i];
@@ -88,7 +89,7 @@ TEST_CASE("the stress of a block that is stretched") {
     Stepper<3> stepper(scene.context, body);
     // Velocities are those of the middle of a step: F is complete once the motion has stopped.
     PrescribedSolidMotion<3> motion(
-        Part<3>(scene.world, {"block", {}}),
+        scene.world, Part<3>(scene.world, {"block", {}}),
         expressions({"0.3*(t < 1 ? t : 1)*x", "-0.1*(t < 1 ? t : 1)*y", "0"}, unit::length), {});
     for (int k = 0; k < 102; ++k) stepper.step(1e-2, {}, {&motion});
     solid::derive(body, fields::piola_kirchhoff_stress);
@@ -121,8 +122,7 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
     const auto texts = expressions({"3*t + 2*t^2 + y", "-t^2*x"}, unit::length);
 
     SECTION("position at the end of the step, velocity and acceleration of its middle") {
-        PrescribedWallMotion<2> motion(scene.world.domain, Part<2>(scene.world, {"wall", {}}),
-                                       texts, {});
+        PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall", {}}), texts, {});
         const auto version = wall.version;
         motion.run(0, clock);
         CHECK(wall.version > version);
@@ -144,8 +144,8 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
     }
     SECTION("a part, along one axis") {
         scene.addPart(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
-        PrescribedWallMotion<2> motion(scene.world.domain, Part<2>(scene.world, {"wall.end", {}}),
-                                       texts, {1});
+        PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall.end", {}}), texts,
+                                       {1});
         motion.run(0, clock);
         wall.particles.vector(fields::velocity).data()[wall.size() - 1][0] = 9;
         motion.rest();
