@@ -77,7 +77,10 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
     }
     const bool restarts = std::any_of(entries_.begin(), entries_.end(),
                                       [](const loop::OutputEntry& entry) { return entry.restart; });
-    if (files && !restarts) last_resort_ = makeRestart(tools, io::RestartSettings{});
+    if (!files || restarts) return;
+    outputs_.push_back(makeRestart(tools, io::RestartSettings{}));
+    // A name that no output of a case can have.
+    entries_.push_back({"last state", "restart", outputs_.back().get(), std::nullopt, true});
 }
 
 template <int Dim>

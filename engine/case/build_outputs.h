@@ -40,17 +40,12 @@ class Outputs {
     Outputs(const OutputTools<Dim>& tools, bool files);
 
     void addTo(loop::Plan& plan) const;
-    /// Writes a restart if no output of the case does.
-    void writeLastResort(const Clock& clock) const {
-        if (last_resort_) last_resort_->write(clock);
-    }
-    /// In the order of the case.
+    /// In the order of the case; if it writes no restart, one more that keeps the last state.
     const std::vector<loop::OutputEntry>& entries() const { return entries_; }
 
  private:
     std::vector<std::unique_ptr<sphinx::Output>> outputs_;
     std::vector<loop::OutputEntry> entries_;
-    std::unique_ptr<sphinx::Output> last_resort_;
 };
 
 }  // namespace sphinx::model

@@ -63,16 +63,17 @@ Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnost
 Case readCase(const std::string& path, const std::vector<std::string>& overrides,
               const Registry& registry) {
     Diagnostics diagnostics;
-    const Node root = loadCase(path, overrides, named_blocks, diagnostics);
-    Case model = interpret(root, registry, diagnostics);
+    const LoadedCase loaded = loadCase(path, overrides, named_blocks, diagnostics);
+    Case model = interpret(loaded.root, registry, diagnostics);
     model.path = path;
+    model.sources = loaded.files;
     return model;
 }
 
 Case readCaseText(const std::string& name, const std::string& text, const Registry& registry) {
     Diagnostics diagnostics;
-    const Node root = loadText(name, text, {}, named_blocks, diagnostics);
-    Case model = interpret(root, registry, diagnostics);
+    const LoadedCase loaded = loadText(name, text, {}, named_blocks, diagnostics);
+    Case model = interpret(loaded.root, registry, diagnostics);
     model.path = name;
     return model;
 }

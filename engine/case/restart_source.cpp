@@ -10,6 +10,23 @@
 #include <filesystem>
 
 namespace sphinx::model {
+namespace {
+
+/// Absolute and without links, as far as the path exists.
+io::Path resolved(const io::Path& path) {
+    std::error_code error;
+    const io::Path result = std::filesystem::weakly_canonical(path.empty() ? "." : path, error);
+    if (error)
+        throw FileError(fmt::format("cannot look at {}: {}", path.string(), error.message()));
+    return result;
+}
+
+bool isBelow(const io::Path& outer, const io::Path& inner) {
+    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first ==
+           outer.end();
+}
+
+}  // namespace
 
 RestartSource newestRestart(const io::Path& results) {
     const io::Path folder = results / "restart";
@@ -30,19 +47,22 @@ void requireSamePhysics(const io::Path& file, const io::RestartHeader& theirs,
                         const io::RestartHeader& ours) {
     if (theirs.digest == ours.digest && theirs.dimension == ours.dimension) return;
     throw CaseError(
-        fmt::format("error: the case is not the one that {} was written by; only title, outputs "
-                    "and loop.end_time may change:\n{}",
+        fmt::format("error: the case is not the one that {} was written by; only title, "
+                    "observers, outputs and loop.end_time may change:\n{}",
                     file.string(), difference(theirs.case_text, ours.case_text, 20)));
 }
 
-void requireOutside(const io::Path& file, const io::Path& folder) {
-    const io::Path inner = std::filesystem::weakly_canonical(file);
-    const io::Path outer = std::filesystem::weakly_canonical(folder);
-    if (std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end())
-        throw FileError(
-            fmt::format("--overwrite would remove {}; write to another folder or copy "
-                        "the restart elsewhere first",
-                        file.string()));
+void requireOutside(const std::vector<io::Path>& files, const io::Path& folder) {
+    const io::Path outer = resolved(folder);
+    for (const io::Path& file : files) {
+        // A link that lies in the folder would go, and so would what a link elsewhere leads to.
+        const io::Path link = resolved(file.parent_path()) / file.filename();
+        if (isBelow(outer, link) || isBelow(outer, resolved(file)))
+            throw FileError(
+                fmt::format("--overwrite would remove {}, which the run reads; write to another "
+                            "folder or copy it elsewhere first",
+                            file.string()));
+    }
 }
 
 }  // namespace sphinx::model

@@ -22,7 +22,7 @@ RestartSource newestRestart(const io::Path& results);
 void requireSamePhysics(const io::Path& file, const io::RestartHeader& theirs,
                         const io::RestartHeader& ours);
 
-/// Throws FileError when the folder, about to be emptied, holds the file.
-void requireOutside(const io::Path& file, const io::Path& folder);
+/// Throws FileError when the folder, about to be emptied, holds one of the files.
+void requireOutside(const std::vector<io::Path>& files, const io::Path& folder);
 
 }  // namespace sphinx::model

@@ -4,8 +4,9 @@
 
 namespace sphinx::model {
 
-/// While it lives, SIGINT and SIGTERM are remembered instead of ending the process. A second one
-/// ends it at once. A terminal or pipe that goes away (SIGPIPE) does not end the run.
+/// What SIGINT and SIGTERM do while it lives. At first they end the process at once, with exit code
+/// 128 + the signal; after remember() they are remembered instead, and a second one ends the
+/// process. A terminal or pipe that goes away (SIGPIPE) does not end the run.
 class SignalGuard {
  public:
     SignalGuard();
@@ -13,7 +14,9 @@ class SignalGuard {
     SignalGuard(const SignalGuard&) = delete;
     SignalGuard& operator=(const SignalGuard&) = delete;
 
-    /// The signal that came, or 0.
+    /// From now on there is something to bring to an end: files are being written.
+    void remember();
+    /// The signal that came since then, or 0.
     static int received();
 };
 

@@ -68,14 +68,16 @@ class Simulation {
     int run() {
         logStart();
         Health<Dim> health(*world_, placed_.facts);
-        SignalGuard signals;
         Timer wall;
         try {
-            const loop::Outcome outcome = runner_->run([&](const Clock& clock) {
+            const auto after_step = [&](const Clock& clock) {
                 health.check(clock);
                 return reasonToStop(wall);
-            });
+            };
+            const loop::Outcome outcome = runner_->run(after_step, [&] { return signalName(); });
             finish(outcome);
+            // One that came too late, while the last files were written, stopped nothing.
+            if (outcome.finished) return exit_done;
         } catch (const PhysicsError&) {
             writeFailedState();
             // A number that is none any more is the reason, whoever stumbled over it first.
@@ -86,12 +88,16 @@ class Simulation {
     }
 
  private:
-    std::optional<std::string> reasonToStop(const Timer& wall) const {
+    static std::optional<std::string> signalName() {
         switch (SignalGuard::received()) {
             case SIGINT: return "interrupted";
             case SIGTERM: return "told to end";
-            default: break;
+            default: return {};
         }
+    }
+
+    std::optional<std::string> reasonToStop(const Timer& wall) const {
+        if (auto signal = signalName()) return signal;
         if (options_.time_limit && wall.seconds() > *options_.time_limit)
             return fmt::format("the time limit of {:g} s is over", *options_.time_limit);
         return {};
@@ -102,7 +108,6 @@ class Simulation {
         const loop::Profile profile = runner_->profile();
         for (const std::string& line : loop::profileTable(profile)) log::info(line);
         if (options_.outputs) loop::writeProfile(profile, folder_ / "profile.json");
-        if (!outcome.finished) outputs_->writeLastResort(runner_->clock());
         if (outcome.finished)
             log::info(fmt::format(
                 "done at time {}{}", timeText(),
@@ -143,6 +148,9 @@ class Simulation {
         header.case_text = physicsText(model_);
         header.digest = fmt::format("{:016x}", io::fingerprint(header.case_text));
         header.instruction_set = instructionSet();
+        for (const auto& entry : provenance_.entries)
+            for (const char* name : {"compiler", "flags", "processor", "threads"})
+                if (entry.first == name) header.build_and_machine.entries.push_back(entry);
         header.dimension = Dim;
         return header;
     }
@@ -186,6 +194,7 @@ class Simulation {
                 source_.file.string(), theirs.instruction_set, ours.instruction_set));
         io::readRestart<Dim>(
             source_.file, [this](Archive& archive) { transfer(archive); }, restartBodies());
+        if (!options_.resume) runner_->leaveRestarts();
         std::vector<sphinx::Body<Dim>*> bodies;
         for (const auto& body : world_->bodies) {
             ++body->version;
@@ -224,21 +233,30 @@ class Simulation {
     std::unique_ptr<loop::Runner> runner_;
 };
 
+std::vector<io::Path> filesRead(const Case& model, const RunOptions& options) {
+    std::vector<io::Path> files(model.sources.begin(), model.sources.end());
+    for (const auto& [path, content] : model.files) files.emplace_back(path);
+    if (!options.restart.empty()) files.emplace_back(options.restart);
+    return files;
+}
+
 template <int Dim>
 int run(const Case& model, const RunOptions& options) {
     const io::Path path =
         options.output.empty() ? io::Path("output") / caseName(model) : io::Path(options.output);
     const io::Provenance provenance = makeProvenance(threadCount());
+    SignalGuard signals;
     Simulation<Dim> simulation(model, options, path);
 
     // A folder to go on in is locked before its restarts are read. Any other one changes only when
     // the case and the restart are known to be good.
     std::optional<io::OutputFolder> folder;
-    if (options.resume && options.outputs && std::filesystem::is_directory(path))
+    if (options.resume && options.outputs && io::isFolder(path))
         folder.emplace(path, io::ExistingResults::keep);
     simulation.prepare(provenance);
+    signals.remember();
     if (options.outputs) {
-        if (options.overwrite && !options.restart.empty()) requireOutside(options.restart, path);
+        if (options.overwrite) requireOutside(filesRead(model, options), path);
         if (!folder)
             folder.emplace(path, options.overwrite ? io::ExistingResults::replace
                                                    : io::ExistingResults::refuse);
@@ -263,7 +281,8 @@ int run(const Case& model, const RunOptions& options) {
 }  // namespace
 
 std::string caseName(const Case& model) {
-    const std::filesystem::path path = std::filesystem::absolute(model.path);
+    std::error_code ignored;  // where there is no present folder any more
+    const std::filesystem::path path = std::filesystem::absolute(model.path, ignored);
     return path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
 }
 

@@ -50,7 +50,8 @@ class Loader {
         source->name = std::move(name);
         source->text = std::move(text);
         if (source->text.starts_with("\xEF\xBB\xBF")) source->text.erase(0, 3);
-        source->order = order_++;
+        source->order = static_cast<int>(files_.size());
+        files_.push_back(source->name);
         Node root = readYaml(source, source->text, {}, diagnostics_);
         if (diagnostics_.hasErrors()) return root;
         if (!root.isMap()) {
@@ -62,7 +63,7 @@ class Loader {
         }
         return withIncludes(std::move(root), *source);
     }
-    int files() const { return order_; }
+    const std::vector<std::string>& files() const { return files_; }
 
  private:
     Node withIncludes(Node root, const Source& source) {
@@ -110,7 +111,7 @@ class Loader {
                                "the file includes itself: " + chain + found->filename().string());
             return "";
         }
-        if (order_ >= static_cast<int>(most_files)) {
+        if (files_.size() >= most_files) {
             diagnostics_.error(place, "more than " + std::to_string(most_files) + " files");
             return "";
         }
@@ -125,8 +126,8 @@ class Loader {
     }
 
     Diagnostics& diagnostics_;
-    int order_ = 0;
-    std::vector<fs::path> open_;  // files whose includes are being read
+    std::vector<std::string> files_;  // read so far
+    std::vector<fs::path> open_;      // files whose includes are being read
 };
 
 }  // namespace
@@ -141,17 +142,18 @@ std::string readFile(const std::string& path) {
     return std::move(text).str();
 }
 
-Node loadText(std::string name, std::string text, const std::vector<std::string>& overrides,
-              const std::vector<std::string>& named_blocks, Diagnostics& diagnostics) {
+LoadedCase loadText(std::string name, std::string text, const std::vector<std::string>& overrides,
+                    const std::vector<std::string>& named_blocks, Diagnostics& diagnostics) {
     Loader loader(diagnostics);
     Node root = loader.load(std::move(name), std::move(text));
-    if (diagnostics.hasErrors()) return root;
-    applyOverrides(root, overrides, named_blocks, loader.files(), diagnostics);
-    return root;
+    if (!diagnostics.hasErrors())
+        applyOverrides(root, overrides, named_blocks, static_cast<int>(loader.files().size()),
+                       diagnostics);
+    return {std::move(root), loader.files()};
 }
 
-Node loadCase(const std::string& path, const std::vector<std::string>& overrides,
-              const std::vector<std::string>& named_blocks, Diagnostics& diagnostics) {
+LoadedCase loadCase(const std::string& path, const std::vector<std::string>& overrides,
+                    const std::vector<std::string>& named_blocks, Diagnostics& diagnostics) {
     return loadText(path, readFile(path), overrides, named_blocks, diagnostics);
 }
 

@@ -117,7 +117,9 @@ void declareProgress(input::Registry& registry) {
 void declareRestart(input::Registry& registry) {
     using P = RestartSettings;
     auto& d = registry.declare<P>(input::Kind::output, "restart");
-    d.summary("States from which a run goes on with the same bits: restart/NAME_STEP.xml");
+    d.summary(
+        "States from which a run goes on with the same bits: restart/NAME_STEP.xml. Without such "
+        "an output, a run keeps the state at which it ends");
     d.optional("keep", &P::keep, input::integer().atLeast(1), "newest files that stay");
     d.optional("encoding", &P::encoding,
                input::choice<RestartEncoding>({

@@ -5,6 +5,7 @@
 #include "core/archive.h"
 #include "io/file.h"
 #include "io/frame_arrays.h"
+#include "io/provenance.h"
 
 #include <functional>
 #include <string>
@@ -22,9 +23,10 @@ struct RestartHeader {
     std::string program;  ///< version of the program that wrote it
     std::string commit;   ///< and its commit
     std::string case_name;
-    std::string digest;           ///< of the part of the case that the physics depends on
-    std::string case_text;        ///< the resolved case
-    std::string instruction_set;  ///< a run on another one may give other bits
+    std::string digest;            ///< of the part of the case that the physics depends on
+    std::string case_text;         ///< the resolved case
+    std::string instruction_set;   ///< a run on another one may give other bits
+    Provenance build_and_machine;  ///< compiler, flags, processor, threads; written, not read
     int dimension = 2;
     double time = 0;  ///< case units
     std::int64_t steps = 0;

@@ -93,6 +93,8 @@ void writeRestart(const Path& path, const RestartHeader& header, const StateTran
                  attribute("case", header.case_name) + attribute("digest", header.digest) +
                  attribute("dimension", std::to_string(header.dimension)) +
                  attribute("instruction_set", header.instruction_set));
+    for (const auto& [name, value] : header.build_and_machine.entries)
+        stream.write(attribute(name, value));
     std::string text = " time=\"";
     appendExactNumber(text, header.time);
     text += "\"" + attribute("steps", std::to_string(header.steps)) + ">\n";

@@ -101,6 +101,11 @@ void OutputSchedule::resume() {
     for (EntryRun& run : entries_) run.entry.output->resume(outermost_.clock());
 }
 
+void OutputSchedule::leaveRestarts() {
+    for (EntryRun& run : entries_)
+        if (run.entry.restart) run.last_step = -1;
+}
+
 void OutputSchedule::finish() {
     for (EntryRun& run : entries_) run.entry.output->finish();
 }

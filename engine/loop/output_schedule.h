@@ -39,6 +39,8 @@ class OutputSchedule {
 
     /// Tells every output that the run goes on from the present clock.
     void resume();
+    /// After transfer(): the restarts lie in another folder, so this state is not written yet.
+    void leaveRestarts();
     void finish();
 
     const std::vector<EntryRun>& entries() const { return entries_; }

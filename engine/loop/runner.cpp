@@ -36,7 +36,7 @@ void Runner::start() {
     }
 }
 
-Outcome Runner::run(const AfterStep& after_step) {
+Outcome Runner::run(const AfterStep& after_step, const BeforeSteps& before_steps) {
     if (resumed_)
         outputs_.resume();
     else
@@ -46,7 +46,7 @@ Outcome Runner::run(const AfterStep& after_step) {
     first_step_ = clock().steps;
     if (!resumed_) outputs_.writeFirst();
 
-    std::optional<std::string> stop;
+    std::optional<std::string> stop = before_steps ? before_steps() : std::nullopt;
     while (!finished() && !stop) {
         outermost_.stepFreely();
         {

@@ -18,6 +18,9 @@ namespace sphinx::loop {
 /// the end of the step.
 using AfterStep = std::function<std::optional<std::string>(const Clock& clock)>;
 
+/// Called before the first step: returns a reason not to make it, such as a signal.
+using BeforeSteps = std::function<std::optional<std::string>()>;
+
 struct Outcome {
     bool finished = false;  ///< the end time was reached
     std::string reason;     ///< why not
@@ -30,14 +33,18 @@ class Runner {
     /// Throws std::invalid_argument, see validate().
     explicit Runner(Plan plan);
 
-    /// Start calls (not after a restart), then outermost steps until the end time is reached or
-    /// `after_step` asks to stop; restarts are written in both cases. Errors of methods and
-    /// outputs pass through; files then stay as the last write left them.
-    Outcome run(const AfterStep& after_step);
+    /// Start calls (not after a restart) and first outputs, then outermost steps until the end time
+    /// is reached or `before_steps` or `after_step` asks to stop; restarts are written in each
+    /// case. Errors of methods and outputs pass through; files then stay as the last write left
+    /// them.
+    Outcome run(const AfterStep& after_step, const BeforeSteps& before_steps = {});
 
     /// Clocks, triggers and outputs' own states. The state of methods and the particle fields are
     /// the caller's.
     void transfer(Archive& archive);
+    /// After transfer(), for a run that goes on in another folder: the state is to be kept there as
+    /// well, also when no step is made.
+    void leaveRestarts() { outputs_.leaveRestarts(); }
     bool resumed() const { return resumed_; }
 
     /// Of the outermost layer.

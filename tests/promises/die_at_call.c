@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0
  *
  * Preloaded into a process: kills it like `kill -9` right before its N-th call that changes a file
- * (DIE_AT_CALL=N). With CALLS_COUNTED=FILE the number of such calls is written to FILE at the end.
+ * (DIE_AT_CALL=N), or sends it the signal DIE_BY instead. With CALLS_COUNTED=FILE the number of such calls is written to FILE at the end.
  * Of a fatal write with an odd N half of the bytes still reach the file, as in a real kill within a
  * long write; with an even N nothing does.
  */
@@ -19,10 +19,13 @@
 
 static atomic_long calls;
 static long fatal_call;
+static int fatal_signal;
 
 __attribute__((constructor)) static void begin(void) {
     const char* text = getenv("DIE_AT_CALL");
+    const char* by = getenv("DIE_BY");
     fatal_call = text ? atol(text) : 0;
+    fatal_signal = by ? atoi(by) : SIGKILL;
     /* What a sanitizer did before is not the program's. */
     atomic_store(&calls, 0);
 }
@@ -39,14 +42,17 @@ static int is_fatal(void) { return atomic_fetch_add(&calls, 1) + 1 == fatal_call
 
 static size_t half(size_t size) { return fatal_call % 2 ? size / 2 : 0; }
 
-static void die(void) { kill(getpid(), SIGKILL); }
+static void die(void) { kill(getpid(), fatal_signal); }
+
+/* Who survives the signal writes everything itself. */
+static int leaves_half(void) { return fatal_signal == SIGKILL; }
 
 #define NEXT(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
 
 ssize_t write(int descriptor, const void* bytes, size_t size) {
     /* What is said on the terminal is no file. */
     if (descriptor > 2 && is_fatal()) {
-        NEXT(write)(descriptor, bytes, half(size));
+        if (leaves_half()) NEXT(write)(descriptor, bytes, half(size));
         die();
     }
     return NEXT(write)(descriptor, bytes, size);
@@ -59,7 +65,7 @@ ssize_t writev(int descriptor, const struct iovec* parts, int count) {
 
 ssize_t pwrite(int descriptor, const void* bytes, size_t size, off_t offset) {
     if (is_fatal()) {
-        NEXT(pwrite)(descriptor, bytes, half(size), offset);
+        if (leaves_half()) NEXT(pwrite)(descriptor, bytes, half(size), offset);
         die();
     }
     return NEXT(pwrite)(descriptor, bytes, size, offset);
@@ -67,7 +73,7 @@ ssize_t pwrite(int descriptor, const void* bytes, size_t size, off_t offset) {
 
 ssize_t pwrite64(int descriptor, const void* bytes, size_t size, off64_t offset) {
     if (is_fatal()) {
-        NEXT(pwrite64)(descriptor, bytes, half(size), offset);
+        if (leaves_half()) NEXT(pwrite64)(descriptor, bytes, half(size), offset);
         die();
     }
     return NEXT(pwrite64)(descriptor, bytes, size, offset);

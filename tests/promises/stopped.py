@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """SIGINT, SIGTERM and --time-limit write a restart, from which the run goes on with the same bits."""
 
+import pathlib
 import re
 import signal
 import subprocess
@@ -66,6 +67,42 @@ class Stopped(Promise):
         self.assertEqual(last_restart(self.folder / "out").steps, 1)
         said = self.sphinx(case, self.folder / "out", "--resume")
         self.assertIn("done at time", said)
+
+    def test_a_finished_run_without_restarts_goes_on_as_well(self):
+        case, parts = self.case("splash_2d", outputs={}), self.folder / "parts"
+        self.sphinx(case, parts, "--set", "loop.end_time=0.2")
+        self.assertEqual(len(restarts(parts)), 1)
+        # Ended where it begins, in a folder of its own: the state is there, too.
+        elsewhere = self.folder / "elsewhere"
+        self.sphinx(case, elsewhere, "--restart", restarts(parts).popitem()[1], "--set",
+                    "loop.end_time=0.2")
+        self.assert_same_physics(last_restart(elsewhere), last_restart(parts))
+        self.sphinx(case, parts, "--resume", "--set", "loop.end_time=0.4")
+        self.sphinx(case, self.folder / "whole", "--set", "loop.end_time=0.4")
+        self.assert_same_physics(last_restart(parts), last_restart(self.folder / "whole"))
+
+    def test_signal_before_anything_is_written(self):
+        # Two million particles take a while to be made.
+        before = sorted(self.folder.iterdir())
+        for number in (signal.SIGINT, signal.SIGTERM):
+            many = command(self.case_file, self.folder / "out", "--set", "variables.spacing=0.0005")
+            process = subprocess.Popen(many, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.wait_for_work(process)
+            process.send_signal(number)
+            said, complaint = process.communicate(timeout=SECONDS)
+            self.assertEqual(process.returncode, 128 + number, said + complaint)
+            self.assertEqual((said, complaint), ("", "stopped before the first step; nothing was "
+                                                     "written\n"))
+            self.assertEqual(sorted(self.folder.iterdir()), before)
+
+    @staticmethod
+    def wait_for_work(process):
+        """Until it catches signals: the particles are being made."""
+        status = pathlib.Path(f"/proc/{process.pid}/status")
+        while process.poll() is None:
+            caught = re.search(r"SigCgt:\s*(\S+)", status.read_text())
+            if int(caught.group(1), 16) >> (signal.SIGTERM - 1) & 1:
+                return
 
 
 if __name__ == "__main__":

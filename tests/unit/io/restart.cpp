@@ -65,6 +65,7 @@ RestartHeader makeHeader() {
     header.digest = "0123";
     header.case_text = "title: \"a < b\"\n# \xc3\xa9\n";
     header.instruction_set = "x86-64";
+    header.build_and_machine.entries = {{"flags", "-O3 \"quoted\""}, {"threads", "2"}};
     header.time = 1.0 / 3;
     header.steps = 100;
     return header;
@@ -149,6 +150,8 @@ TEST_CASE("a restart gives back every bit") {
     CHECK(header.dimension == 2);
     CHECK(header.time == expected.time);
     CHECK(header.steps == expected.steps);
+    CHECK_THAT(written.content(),
+               Catch::Matchers::Contains(" flags=\"-O3 &quot;quoted&quot;\" threads=\"2\" time="));
 }
 
 TEST_CASE("a restart of several pieces and bodies in 3D") {

@@ -201,6 +201,18 @@ TEST_CASE("a finished run that is resumed unchanged writes nothing") {
     CHECK(again.calls.empty());
     CHECK(without(again.frames, "resume").empty());
     CHECK(again.fields.finished == 1);
+
+    // In another folder it leaves the state it came with.
+    Run elsewhere;
+    elsewhere.build(1);
+    elsewhere.load(first.checkpoints.back());
+    elsewhere.runner->leaveRestarts();
+    elsewhere.go();
+    const Journal written = without(elsewhere.frames, "resume");
+    REQUIRE(written.size() == 1);
+    CHECK(written[0].name == "restart");
+    CHECK(elsewhere.checkpoints.back().state == first.checkpoints.back().state);
+    CHECK(elsewhere.checkpoints.back().step == first.checkpoints.back().step);
 }
 
 TEST_CASE("outputs may change between a run and its resumption") {

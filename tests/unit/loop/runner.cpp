@@ -171,6 +171,21 @@ TEST_CASE("a hook stops the run; restarts are written, other outputs are not") {
     CHECK(frames.output.finished == 1);
 }
 
+TEST_CASE("a run that is stopped before its first step keeps its first state") {
+    Journal journal;
+    RecordingOutput restart("restart", journal), frame("frame", journal);
+    Plan plan;
+    plan.end_time = 1;
+    plan.outermost = fixedLayer("outer", 0.5, {});
+    plan.outputs = {{"restart", "restart", &restart, {}, true},
+                    {"frame", "vtu", &frame, {}, false}};
+    Runner runner(plan);
+    const Outcome outcome = runner.run(go_on, [] { return std::optional<std::string>("signal"); });
+    CHECK_FALSE(outcome.finished);
+    CHECK(outcome.reason == "signal");
+    CHECK(journal == Journal{{"frame", 0, 0, 0}, {"restart", 0, 0, 0}});
+}
+
 TEST_CASE("a stop in the last step is a finished run") {
     Plan plan;
     plan.end_time = 1;
