@@ -4,6 +4,9 @@
 
 #include "core/parallel.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sphinx::geometry {
 namespace {
 
@@ -18,20 +21,89 @@ ShapePointer<Dim> wholeShape(const Body<Dim>& body) {
 }  // namespace
 
 template <int Dim>
-NormalsFromShape<Dim>::NormalsFromShape(Body<Dim>& body)
+NormalsFromShape<Dim>::NormalsFromShape(Body<Dim>& body, const std::vector<Body<Dim>*>& joined)
     : body_(&body),
       shape_(wholeShape(body)),
       normal_(body.particles.vector(fields::normal)),
       initial_normal_(body.particles.vector(fields::initial_normal)),
-      depth_(body.particles.scalar(fields::depth)) {}
+      depth_(body.particles.scalar(fields::depth)) {
+    for (const Body<Dim>* other : joined) others_.push_back(other->shape);
+    for (const Body<Dim>* other : body.bonded) others_.push_back(other->shape);
+}
+
+template <int Dim>
+bool NormalsFromShape<Dim>::insideOther(const Vec<Dim>& x) const {
+    return std::ranges::any_of(others_, [&](const auto& other) { return other->contains(x); });
+}
+
+template <int Dim>
+bool NormalsFromShape<Dim>::inside(const Vec<Dim>& x) const {
+    return shape_->contains(x) || insideOther(x);
+}
+
+template <int Dim>
+bool NormalsFromShape<Dim>::nearEdge(const Vec<Dim>& x) const {
+    const double step = 0.5 * body_->spacing;
+    Vec<Dim> slope;
+    for (int k = 0; k < Dim; ++k) {
+        const Vec<Dim> s = step * Vec<Dim>::Unit(k);
+        slope[k] = (shape_->signedDistance(x + s) - shape_->signedDistance(x - s)) / (2 * step);
+    }
+    // 1 where one face is the nearest, less where the stencil reaches across an edge of the solid;
+    // in the middle of a plate 0, and either face will do.
+    constexpr double margin = 0.1;
+    return slope.norm() > margin && slope.norm() < 1 - margin;
+}
+
+template <int Dim>
+Vec<Dim> NormalsFromShape<Dim>::smoothedNormal(const Vec<Dim>& x) const {
+    const double reach = body_->kernel.cutoff();
+    const double step = 0.5 * body_->spacing;
+    const int n = static_cast<int>(reach / step);
+    Vec<Dim> sum = Vec<Dim>::Zero();
+    for (int a = -n; a <= n; ++a)
+        for (int b = -n; b <= n; ++b)
+            for (int c = Dim == 3 ? -n : 0; c <= (Dim == 3 ? n : 0); ++c) {
+                Vec<Dim> s;
+                s[0] = a * step;
+                s[1] = b * step;
+                if constexpr (Dim == 3) s[2] = c * step;
+                if (inside(x + s)) sum -= body_->kernel.value(s.norm()) * s;
+            }
+    sum *= std::pow(step, Dim);
+    return sum.norm() < 1e-9 * reach ? Vec<Dim>::Zero() : Vec<Dim>(sum.normalized());
+}
+
+template <int Dim>
+double NormalsFromShape<Dim>::depthAlong(const Vec<Dim>& x, const Vec<Dim>& normal) const {
+    const double step = body_->spacing / 16;
+    double depth = 0;
+    while (depth < body_->kernel.cutoff() && inside(x + depth * normal)) depth += step;
+    return depth;
+}
 
 template <int Dim>
 void NormalsFromShape<Dim>::run(int, const Clock&) {
     const auto& position = body_->particles.position();
     parallelFor(body_->size(), [&](std::size_t i) {
-        normal_[i] = shape_->normal(position[i]);
-        initial_normal_[i] = normal_[i];
-        depth_[i] = -shape_->signedDistance(position[i]);
+        const Vec<Dim>& x = position[i];
+        Vec<Dim> normal = shape_->normal(x);
+        double depth = -shape_->signedDistance(x);
+        // Further inside no fluid sees the particle.
+        if (depth <= body_->kernel.cutoff()) {
+            // The nearest point of the shape's surface lies within another part.
+            const bool hidden = insideOther(x + (depth + 0.25 * body_->spacing) * normal);
+            if (hidden || nearEdge(x)) {
+                const Vec<Dim> smoothed = smoothedNormal(x);
+                if (!smoothed.isZero(0)) {
+                    normal = smoothed;
+                    if (hidden) depth = depthAlong(x, normal);
+                }
+            }
+        }
+        normal_[i] = normal;
+        initial_normal_[i] = normal;
+        depth_[i] = depth;
     });
 }
 
@@ -40,11 +112,15 @@ void declareNormalsFromShape(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::dynamics, "geometry.normals_from_shape");
     d.summary("Normals and depths of a solid's particles from the signed distance of its shape");
     d.required("body", &P::body, input::bodyReference({"solid"}), "solid body with a shape");
+    d.optional("joined", &P::joined, input::list(input::bodyReference({"solid"})),
+               "solid bodies that it touches: where they meet is no surface");
     d.action("", "")
         .reads("body", {"position"})
         .writes("body", {"normal", "initial_normal", "depth"});
     d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<NormalsFromShape<Dim>>(bodyOf(context, p.body));
+        std::vector<Body<Dim>*> joined;
+        for (const input::Name& name : p.joined) joined.push_back(&bodyOf(context, name));
+        return std::make_unique<NormalsFromShape<Dim>>(bodyOf(context, p.body), joined);
     }));
 }
 

@@ -8,22 +8,40 @@ namespace sphinx::geometry {
 
 struct NormalsFromShapeParameters {
     input::Name body;
+    std::vector<input::Name> joined;
 };
 
 /// Normal and depth of every particle from the signed distance of the body's shape: the normal of
-/// the nearest point of its surface, outwards, and the distance to it. Bodies bonded to it belong
-/// to the shape: where two parts of one piece meet is no surface.
+/// the nearest point of its surface, outwards, and the distance to it. Bodies bonded to it, and
+/// those joined to it, belong to the shape: where two parts meet is no surface.
+///
+/// Where the nearest point is none of the surface of the whole, or another face is as near (the
+/// particles of an edge), the normal is that of the smoothed whole,
+///   n = -sum_s c(x + s) W(s) s / |...|,   c = 1 inside of a part, 0 outside,
+/// over points s half a spacing apart: at an edge the mean of both faces. (With the normal of one
+/// of them fluid that moves along that face is not held back by the particle, and enters the
+/// solid.)
 template <int Dim>
 class NormalsFromShape final : public Method {
  public:
-    explicit NormalsFromShape(Body<Dim>& body);
+    NormalsFromShape(Body<Dim>& body, const std::vector<Body<Dim>*>& joined);
 
     void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
  private:
+    bool insideOther(const Vec<Dim>& x) const;
+    /// Of the whole.
+    bool inside(const Vec<Dim>& x) const;
+    /// Another face, at an angle, is the nearest within half a spacing.
+    bool nearEdge(const Vec<Dim>& x) const;
+    /// Zero where the surface of the whole is out of reach.
+    Vec<Dim> smoothedNormal(const Vec<Dim>& x) const;
+    double depthAlong(const Vec<Dim>& x, const Vec<Dim>& normal) const;
+
     Body<Dim>* body_;
     ShapePointer<Dim> shape_;
+    std::vector<ShapePointer<Dim>> others_;
     Field<Vec<Dim>>& normal_;
     Field<Vec<Dim>>& initial_normal_;
     Field<double>& depth_;

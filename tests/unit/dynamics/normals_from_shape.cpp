@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/geometry/normals_from_shape.h"
+#include "geometry/solids.h"
+#include "particles/lattice.h"
+
+#include <catch2/catch.hpp>
+
+using namespace sphinx;
+
+namespace {
+
+constexpr double dp = 0.1;
+
+/// A rigid box of the lattice.
+struct Block {
+    Body<3> body;
+
+    Block(const Vec<3>& lower, const Vec<3>& upper) {
+        body.kind = BodyKind::solid;
+        body.spacing = dp;
+        body.kernel = Kernel<3>(KernelType::wendland_c2, 1.3 * dp, dp);
+        body.shape = geometry::makeBox(lower, upper);
+        const auto points = latticePoints<3>(*body.shape, dp, Vec<3>::Zero());
+        body.particles.append(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) body.particles.position()[i] = points[i];
+    }
+    /// Finds the normals; that of the particle in the cell (x, y, z).
+    Vec<3> normal(int x, int y, int z) {
+        return body.particles.vector(fields::normal)[at(x, y, z)];
+    }
+    double depth(int x, int y, int z) {
+        return body.particles.scalar(fields::depth)[at(x, y, z)] / dp;
+    }
+    std::size_t at(int x, int y, int z) {
+        const Vec<3> place = dp * (Vec<3>(x, y, z) + Vec<3>::Constant(0.5));
+        for (std::size_t i = 0; i < body.size(); ++i)
+            if ((body.particles.position()[i] - place).norm() < 1e-9) return i;
+        throw std::logic_error("no such particle");
+    }
+};
+
+void findNormals(Block& block, const std::vector<Body<3>*>& joined = {}) {
+    geometry::NormalsFromShape<3>(block.body, joined).run(0, {});
+}
+
+}  // namespace
+
+TEST_CASE("particles of an edge face both sides of it") {
+    Block block(Vec<3>(0, 0, 0), Vec<3>(0.8, 0.8, 0.8 - 0.03));  // the faces no longer tie
+    findNormals(block);
+    const double half = std::sqrt(0.5);
+    CHECK((block.normal(0, 4, 4) - Vec<3>(-1, 0, 0)).norm() < 1e-12);
+    CHECK((block.normal(1, 4, 4) - Vec<3>(-1, 0, 0)).norm() < 1e-12);
+    CHECK((block.normal(0, 0, 4) - Vec<3>(-half, -half, 0)).norm() < 0.02);
+    CHECK((block.normal(7, 4, 0) - Vec<3>(half, 0, -half)).norm() < 0.02);
+    CHECK((block.normal(0, 0, 0) - Vec<3>::Constant(-std::sqrt(1.0 / 3))).norm() < 0.02);
+    CHECK((block.normal(0, 1, 4) - Vec<3>(-1, 0, 0)).norm() < 1e-12);
+    CHECK(block.depth(0, 4, 4) == Approx(0.5));
+}
+
+TEST_CASE("where a solid stands on another there is no surface") {
+    Block block(Vec<3>(0, 0, 0), Vec<3>(0.8, 0.8, 0.8));
+    Block floor(Vec<3>(-1, -1, -0.4), Vec<3>(2, 2, 0));
+    findNormals(block);
+    CHECK((block.normal(2, 4, 0) - Vec<3>(0, 0, -1)).norm() < 1e-12);
+    findNormals(block, {&floor.body});
+    for (int row = 0; row < 2; ++row) {
+        const Vec<3> n = block.normal(row, 4, 0);
+        CHECK(n[0] < -0.8);  // the corner between both is smoothed
+        CHECK(n[2] >= 0);
+        CHECK(block.depth(row, 4, 0) == Approx(row + 0.5).margin(0.4));
+    }
+    // The floor ends at the block: beside it, it faces up.
+    findNormals(floor, {&block.body});
+    CHECK((floor.normal(-5, 4, -1) - Vec<3>(0, 0, 1)).norm() < 1e-12);
+    CHECK((floor.normal(-1, 4, -1) - Vec<3>(0, 0, 1)).norm() < 0.3);
+}
