@@ -5,7 +5,9 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace sphinx::geometry {
 namespace {
@@ -60,18 +62,23 @@ Vec<Dim> NormalsFromShape<Dim>::smoothedNormal(const Vec<Dim>& x) const {
     const double reach = body_->kernel.cutoff();
     const double step = 0.5 * body_->spacing;
     const int n = static_cast<int>(reach / step);
-    Vec<Dim> sum = Vec<Dim>::Zero();
+    // Whole numbers: the sum of a mirrored or turned solid is the mirrored or turned sum.
+    const double unit = body_->kernel.value(0) * std::pow(2.0, -30);
+    std::array<std::int64_t, Dim> sum{};
     for (int a = -n; a <= n; ++a)
         for (int b = -n; b <= n; ++b)
             for (int c = Dim == 3 ? -n : 0; c <= (Dim == 3 ? n : 0); ++c) {
+                const std::array<int, 3> place{a, b, c};
                 Vec<Dim> s;
-                s[0] = a * step;
-                s[1] = b * step;
-                if constexpr (Dim == 3) s[2] = c * step;
-                if (inside(x + s)) sum -= body_->kernel.value(s.norm()) * s;
+                for (int k = 0; k < Dim; ++k) s[k] = place[k] * step;
+                if (!inside(x + s)) continue;
+                const double r = step * std::sqrt(static_cast<double>(a * a + b * b + c * c));
+                const std::int64_t weight = std::llround(body_->kernel.value(r) / unit);
+                for (int k = 0; k < Dim; ++k) sum[k] -= weight * place[k];
             }
-    sum *= std::pow(step, Dim);
-    return sum.norm() < 1e-9 * reach ? Vec<Dim>::Zero() : Vec<Dim>(sum.normalized());
+    Vec<Dim> normal;
+    for (int k = 0; k < Dim; ++k) normal[k] = static_cast<double>(sum[k]);
+    return normal.isZero(0) ? normal : Vec<Dim>(normal.normalized());
 }
 
 template <int Dim>
