@@ -76,9 +76,9 @@ Profile Runner::profile() const {
     Profile profile;
     profile.time = clock().time;
     profile.finished = finished();
-    profile.loop_seconds = outermost_.tally().seconds() + after_step_.seconds();
     profile.lines.push_back(profileLayer(outermost_, profile.steps));
     profile.lines.push_back(profileLine("checks after each step", "checks", after_step_));
+    for (const auto& line : profile.lines) profile.loop_seconds += line.seconds;
     for (std::size_t k = 0; k < plan_.start.size(); ++k) {
         profile.start.push_back(profileLine(plan_.start[k].label, "start", start_tallies_[k]));
         profile.start_seconds += profile.start.back().seconds;
