@@ -5,9 +5,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 
 namespace sphinx::geometry {
 namespace {
@@ -31,6 +29,30 @@ NormalsFromShape<Dim>::NormalsFromShape(Body<Dim>& body, const std::vector<Body<
       depth_(body.particles.scalar(fields::depth)) {
     for (const Body<Dim>* other : joined) others_.push_back(other->shape);
     for (const Body<Dim>* other : body.bonded) others_.push_back(other->shape);
+    makeStencil();
+}
+
+template <int Dim>
+void NormalsFromShape<Dim>::makeStencil() {
+    const double step = 0.5 * body_->spacing;
+    const int n = static_cast<int>(body_->kernel.cutoff() / step);
+    const double unit = body_->kernel.value(0) * std::pow(2.0, -30);
+    const int depth = Dim == 3 ? n : 0;
+    for (int a = -n; a <= n; ++a)
+        for (int b = -n; b <= n; ++b)
+            for (int c = -depth; c <= depth; ++c) {
+                const double r = step * std::sqrt(static_cast<double>(a * a + b * b + c * c));
+                const std::int64_t weight = std::llround(body_->kernel.value(r) / unit);
+                if (weight == 0) continue;
+                StencilPoint point;
+                const std::array<int, 3> place{a, b, c};
+                for (int k = 0; k < Dim; ++k) {
+                    point.place[k] = place[k];
+                    point.offset[k] = place[k] * step;
+                }
+                point.weight = weight;
+                stencil_.push_back(point);
+            }
 }
 
 template <int Dim>
@@ -59,23 +81,11 @@ bool NormalsFromShape<Dim>::nearEdge(const Vec<Dim>& x) const {
 
 template <int Dim>
 Vec<Dim> NormalsFromShape<Dim>::smoothedNormal(const Vec<Dim>& x) const {
-    const double reach = body_->kernel.cutoff();
-    const double step = 0.5 * body_->spacing;
-    const int n = static_cast<int>(reach / step);
-    // Whole numbers: the sum of a mirrored or turned solid is the mirrored or turned sum.
-    const double unit = body_->kernel.value(0) * std::pow(2.0, -30);
     std::array<std::int64_t, Dim> sum{};
-    for (int a = -n; a <= n; ++a)
-        for (int b = -n; b <= n; ++b)
-            for (int c = Dim == 3 ? -n : 0; c <= (Dim == 3 ? n : 0); ++c) {
-                const std::array<int, 3> place{a, b, c};
-                Vec<Dim> s;
-                for (int k = 0; k < Dim; ++k) s[k] = place[k] * step;
-                if (!inside(x + s)) continue;
-                const double r = step * std::sqrt(static_cast<double>(a * a + b * b + c * c));
-                const std::int64_t weight = std::llround(body_->kernel.value(r) / unit);
-                for (int k = 0; k < Dim; ++k) sum[k] -= weight * place[k];
-            }
+    for (const StencilPoint& point : stencil_) {
+        if (!inside(x + point.offset)) continue;
+        for (int k = 0; k < Dim; ++k) sum[k] -= point.weight * point.place[k];
+    }
     Vec<Dim> normal;
     for (int k = 0; k < Dim; ++k) normal[k] = static_cast<double>(sum[k]);
     return normal.isZero(0) ? normal : Vec<Dim>(normal.normalized());

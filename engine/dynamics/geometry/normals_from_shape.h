@@ -4,6 +4,9 @@
 
 #include "dynamics/builder.h"
 
+#include <array>
+#include <cstdint>
+
 namespace sphinx::geometry {
 
 struct NormalsFromShapeParameters {
@@ -30,6 +33,14 @@ class NormalsFromShape final : public Method {
     std::size_t workSize() const override { return body_->size(); }
 
  private:
+    /// A point of the sum that smooths, with its weight in whole numbers: so the sum of a mirrored
+    /// or turned solid is the mirrored or turned sum.
+    struct StencilPoint {
+        Vec<Dim> offset;
+        std::array<int, Dim> place;  // in steps
+        std::int64_t weight;
+    };
+    void makeStencil();
     bool insideOther(const Vec<Dim>& x) const;
     /// Of the whole.
     bool inside(const Vec<Dim>& x) const;
@@ -42,6 +53,7 @@ class NormalsFromShape final : public Method {
     Body<Dim>* body_;
     ShapePointer<Dim> shape_;
     std::vector<ShapePointer<Dim>> others_;
+    std::vector<StencilPoint> stencil_;
     Field<Vec<Dim>>& normal_;
     Field<Vec<Dim>>& initial_normal_;
     Field<double>& depth_;

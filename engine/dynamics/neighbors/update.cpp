@@ -17,7 +17,7 @@ namespace sphinx::neighbors {
 
 namespace {
 
-/// The body and all that are bonded to it, directly or through others.
+/// The body and all that are bonded to it, directly (Body::piece) or through others.
 template <int Dim>
 std::vector<Body<Dim>*> pieceOf(Body<Dim>& body) {
     std::vector<Body<Dim>*> piece{&body};
