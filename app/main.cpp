@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "case/check.h"
-#include "case/provenance.h"
-#include "case/read.h"
-#include "case/register.h"
-#include "case/show.h"
-#include "case/simulation.h"
+#include "case/language/read.h"
+#include "case/language/register.h"
+#include "case/run/check.h"
+#include "case/run/provenance.h"
+#include "case/run/show.h"
+#include "case/run/simulation.h"
 #include "core/errors.h"
-#include "input/describe.h"
-#include "input/schema.h"
-#include "input/suggest.h"
+#include "input/declaration/describe.h"
+#include "input/declaration/schema.h"
+#include "input/tree/suggest.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "bodies/body.h"
 #include "core/place_text.h"
-#include "input/units.h"
+#include "input/expressions/units.h"
 
 #include <array>
 #include <memory>

@@ -4,8 +4,8 @@
 
 #include "dynamics/context.h"
 #include "dynamics/dynamics.h"
-#include "input/declaration.h"
-#include "input/registry.h"
+#include "input/declaration/declaration.h"
+#include "input/declaration/registry.h"
 
 #include <functional>
 #include <memory>

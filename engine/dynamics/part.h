@@ -4,7 +4,7 @@
 
 #include "bodies/world.h"
 #include "core/parallel.h"
-#include "input/values.h"
+#include "input/types/values.h"
 
 namespace sphinx {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "input/registry.h"
+#include "input/declaration/registry.h"
 
 namespace sphinx {
 

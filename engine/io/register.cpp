@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/register.h"
 
-#include "io/body_selection.h"
-#include "io/hdf5_output.h"
-#include "io/observe.h"
-#include "io/progress.h"
-#include "io/reduce.h"
-#include "io/tecplot.h"
-#include "io/unit_text.h"
-#include "io/vtkhdf.h"
-#include "io/vtu.h"
+#include "io/frames/body_selection.h"
+#include "io/frames/hdf5_output.h"
+#include "io/frames/tecplot.h"
+#include "io/frames/vtkhdf.h"
+#include "io/frames/vtu.h"
+#include "io/output/progress.h"
+#include "io/output/unit_text.h"
 
 namespace sphinx::io {
 namespace {
@@ -136,8 +134,6 @@ void registerOutputs(input::Registry& registry) {
     declareVtkHdf(registry);
     declareHdf5(registry);
     declareTecplot(registry);
-    declareObserve(registry);
-    declareReduce(registry);
     declareProgress(registry);
     declareRestart(registry);
 }

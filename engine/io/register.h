@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "input/registry.h"
-#include "io/output_factory.h"
-#include "io/restart.h"
+#include "input/declaration/registry.h"
+#include "io/output/output_factory.h"
+#include "io/restart/restart.h"
 
 namespace sphinx::io {
 
-/// Declares every type of output. Their builders are OutputFactory, but `restart` has none: it
-/// needs the whole simulation and is built by case/ from these parameters.
+/// Declares every output that writes the state (those that measure: measure/register.h). Their
+/// builders are OutputFactory, but `restart` has none: it needs the whole simulation and is built
+/// by case/ from these parameters.
 void registerOutputs(input::Registry& registry);
 
 struct RestartSettings {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "materials/holzapfel_muscle.h"
 
-#include "input/vector_at_time.h"
+#include "input/expressions/vector_at_time.h"
 #include "materials/stiffness.h"
 
 #include <fmt/format.h>

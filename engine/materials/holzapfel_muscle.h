@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "input/expression.h"
+#include "input/expressions/expression.h"
 #include "materials/elastic_solid.h"
 #include "materials/strain.h"
 

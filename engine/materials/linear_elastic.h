@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "input/values.h"
+#include "input/types/values.h"
 #include "materials/elastic_solid.h"
 #include "materials/stiffness.h"
 #include "materials/strain.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "particles/register.h"
 
-#include "input/units.h"
+#include "input/expressions/units.h"
 #include "particles/fields.h"
 
 #include <fmt/format.h>

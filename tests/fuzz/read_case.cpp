@@ -4,10 +4,10 @@
 // Any bytes as a case: either errors are reported, or the case is good, and then its resolved form
 // is the same case.
 
-#include "case/physics_text.h"
-#include "case/read.h"
-#include "case/register.h"
-#include "case/show.h"
+#include "case/language/read.h"
+#include "case/language/register.h"
+#include "case/run/physics_text.h"
+#include "case/run/show.h"
 #include "core/errors.h"
 
 #include <cstdint>

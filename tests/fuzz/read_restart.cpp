@@ -4,8 +4,8 @@
 // Any bytes as a restart: either it is refused with a FileError, or what it holds is sound.
 
 #include "core/errors.h"
-#include "io/compress.h"
-#include "io/restart.h"
+#include "io/file/compress.h"
+#include "io/restart/restart.h"
 
 #include <unistd.h>
 

@@ -5,7 +5,7 @@
 #include "dynamics/builder.h"
 #include "dynamics/constraint/support.h"
 #include "dynamics/part.h"
-#include "input/vector_at_time.h"
+#include "input/expressions/vector_at_time.h"
 
 #include <array>
 #include <initializer_list>

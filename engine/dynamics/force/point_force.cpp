@@ -3,7 +3,7 @@
 #include "dynamics/force/point_force.h"
 
 #include "core/parallel.h"
-#include "input/vector_at_time.h"
+#include "input/expressions/vector_at_time.h"
 
 namespace sphinx::force {
 

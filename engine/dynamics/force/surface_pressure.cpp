@@ -3,7 +3,7 @@
 #include "dynamics/force/surface_pressure.h"
 
 #include "core/parallel.h"
-#include "input/vector_at_time.h"
+#include "input/expressions/vector_at_time.h"
 
 #include <Eigen/LU>
 

@@ -13,14 +13,14 @@ from pathlib import Path
 
 CLEAN = {
     "engine/core/types.h": "#include <tbb/parallel_for.h>\n#include <vector>\n",
-    "engine/input/node.h": '#include "core/types.h"\n',
-    "engine/input/node.cpp": '#include "input/node.h"\n#include <yaml-cpp/yaml.h>\n',
+    "engine/input/tree/node.h": '#include "core/types.h"\n',
+    "engine/input/tree/node.cpp": '#include "input/tree/node.h"\n#include <yaml-cpp/yaml.h>\n',
     "engine/bodies/body.h": '#include "core/types.h"\n',
     "engine/neighbors/list.h": '#include "bodies/body.h"\n',
-    "engine/io/vtu.h": '#include "neighbors/list.h"\n',
-    "engine/loop/layer.h": '#include "core/types.h"\n',
-    "engine/case/read.h": '#include "input/node.h"\n',
-    "app/main.cpp": '#include "case/read.h"\n#include <CLI/CLI.hpp>\n',
+    "engine/io/frames/vtu.h": '#include "neighbors/list.h"\n',
+    "engine/loop/run/layer.h": '#include "core/types.h"\n',
+    "engine/case/language/read.h": '#include "input/tree/node.h"\n',
+    "app/main.cpp": '#include "case/language/read.h"\n#include <CLI/CLI.hpp>\n',
 }
 
 
@@ -46,23 +46,33 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(check({}), (0, "9 files, no violation\n"))
 
     def test_include_of_a_folder_further_left(self):
-        self.expect({"engine/core/log.h": '\n#include "input/node.h"\n'},
-                    "engine/core/log.h:2: core/ may not include input/: input/node.h")
+        self.expect({"engine/core/log.h": '\n#include "input/tree/node.h"\n'},
+                    "engine/core/log.h:2: core/ may not include input/: input/tree/node.h")
 
     def test_include_within_a_layer(self):
-        self.expect({"engine/loop/output.h": '#include "io/vtu.h"\n'},
-                    "engine/loop/output.h:1: loop/ may not include io/: io/vtu.h")
+        self.expect({"engine/loop/run/output.h": '#include "io/frames/vtu.h"\n'},
+                    "engine/loop/run/output.h:1: loop/ may not include io/: io/frames/vtu.h")
 
     def test_include_within_a_layer_has_one_direction(self):
         self.expect({"engine/bodies/part.h": '#include "neighbors/list.h"\n'},
                     "engine/bodies/part.h:1: bodies/ may not include neighbors/")
 
+    def test_include_of_a_room_further_left(self):
+        self.expect({"engine/io/file/path.h": '#include "io/frames/vtu.h"\n'},
+                    "engine/io/file/path.h:1: io/file may not include io/frames: io/frames/vtu.h")
+
+    def test_room_that_is_not_on_the_map(self):
+        self.expect({"engine/case/attic/a.h": ""}, "engine/case/attic/a.h: case/ has no room attic")
+
+    def test_file_outside_of_the_rooms(self):
+        self.expect({"engine/case/a.h": ""}, "engine/case/a.h: case/ has no room .")
+
     def test_library_of_another_folder(self):
         for include in ("tbb/parallel_for.h", "yaml-cpp/yaml.h", "muParser.h", "CGAL/Origin.h",
                         "tinyxml2.h", "hdf5.h", "Simbody.h", "CLI/CLI.hpp"):
             with self.subTest(include):
-                self.expect({"engine/dynamics/force.h": f"#  include <{include}>\n"},
-                            f"engine/dynamics/force.h:1: includes <{include}>, which only")
+                self.expect({"engine/dynamics/force/a.h": f"#  include <{include}>\n"},
+                            f"engine/dynamics/force/a.h:1: includes <{include}>, which only")
 
     def test_cycle_of_files(self):
         self.expect({"engine/core/a.h": '#include "core/b.h"\n',

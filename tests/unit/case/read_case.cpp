@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "case/access.h"
-#include "case/read.h"
-#include "case/register.h"
-#include "case/show.h"
+#include "case/build/access.h"
+#include "case/language/read.h"
+#include "case/language/register.h"
+#include "case/run/show.h"
 #include "core/errors.h"
 
 #include <algorithm>

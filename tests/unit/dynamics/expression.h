@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "input/scope.h"
+#include "input/expressions/scope.h"
 
 namespace sphinx::test {
 

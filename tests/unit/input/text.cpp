@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "core/errors.h"
-#include "input/decimal.h"
-#include "input/diagnostics.h"
-#include "input/suggest.h"
+#include "input/expressions/decimal.h"
+#include "input/tree/diagnostics.h"
+#include "input/tree/suggest.h"
 
 #include <catch2/catch.hpp>
 

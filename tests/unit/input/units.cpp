@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "input/units.h"
+#include "input/expressions/units.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "input/yaml.h"
+#include "input/tree/yaml.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/file.h"
+#include "io/file/file.h"
 
 #include "core/errors.h"
-#include "io/output_folder.h"
-#include "io/progress.h"
+#include "io/file/output_folder.h"
+#include "io/output/progress.h"
 #include "support.h"
 
 #include <sys/resource.h>

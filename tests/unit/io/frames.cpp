@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "core/errors.h"
-#include "io/hdf5_output.h"
-#include "io/hdf5_reader.h"
-#include "io/tecplot.h"
-#include "io/vtkhdf.h"
-#include "io/vtu.h"
+#include "io/frames/hdf5_output.h"
+#include "io/frames/tecplot.h"
+#include "io/frames/vtkhdf.h"
+#include "io/frames/vtu.h"
+#include "io/hdf5/reader.h"
 #include "support.h"
 
 #include <catch2/catch.hpp>

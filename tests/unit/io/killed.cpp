@@ -5,12 +5,12 @@
 // each of its system calls; at every stop its files are what a kill at that moment would leave,
 // and they have to open and hold whole frames.
 #include "core/parallel.h"
-#include "io/hdf5_output.h"
-#include "io/hdf5_reader.h"
-#include "io/restart_output.h"
-#include "io/series.h"
-#include "io/vtkhdf.h"
-#include "io/vtu.h"
+#include "io/frames/hdf5_output.h"
+#include "io/frames/vtkhdf.h"
+#include "io/frames/vtu.h"
+#include "io/hdf5/reader.h"
+#include "io/restart/output.h"
+#include "io/series/series.h"
 #include "support.h"
 
 #include <sys/ptrace.h>

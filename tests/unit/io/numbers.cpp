@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/base64.h"
-#include "io/compress.h"
-#include "io/number_text.h"
-#include "io/unit_text.h"
-#include "io/xml_text.h"
+#include "io/file/base64.h"
+#include "io/file/compress.h"
+#include "io/file/number_text.h"
+#include "io/output/unit_text.h"
+#include "io/xml/text.h"
 
 #include <bit>
 #include <catch2/catch.hpp>

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/restart.h"
+#include "io/restart/restart.h"
 
 #include "core/errors.h"
 #include "core/parallel.h"
-#include "io/compress.h"
+#include "io/file/compress.h"
+#include "io/frames/frame_arrays.h"
 #include "support.h"
 
 #include <bit>

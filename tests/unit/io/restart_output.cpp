@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/restart_output.h"
+#include "io/restart/output.h"
 
 #include "support.h"
 

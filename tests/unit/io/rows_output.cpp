@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/rows_output.h"
+#include "io/series/rows_output.h"
 
 #include "scene.h"
 

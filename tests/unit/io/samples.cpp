@@ -4,12 +4,12 @@
 // Writes the files that tests/regression/readers open with other programs. Hidden: it runs as
 // `SPHINX_SAMPLES=FOLDER unit_io "[.samples]"`.
 #include "core/types.h"
-#include "io/hdf5_output.h"
-#include "io/restart.h"
-#include "io/series.h"
-#include "io/tecplot.h"
-#include "io/vtkhdf.h"
-#include "io/vtu.h"
+#include "io/frames/hdf5_output.h"
+#include "io/frames/tecplot.h"
+#include "io/frames/vtkhdf.h"
+#include "io/frames/vtu.h"
+#include "io/restart/restart.h"
+#include "io/series/series.h"
 #include "support.h"
 
 #include <catch2/catch.hpp>

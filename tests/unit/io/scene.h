@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "input/reader.h"
-#include "input/yaml.h"
+#include "input/declaration/reader.h"
+#include "input/tree/yaml.h"
 #include "io/register.h"
-#include "io/series.h"
+#include "io/series/series.h"
 #include "materials/fluid.h"
 #include "support.h"
 

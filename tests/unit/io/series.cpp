@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/series.h"
+#include "io/series/series.h"
 
 #include "core/errors.h"
 #include "core/types.h"
-#include "io/hdf5_reader.h"
+#include "io/hdf5/reader.h"
 #include "support.h"
 
 #include <catch2/catch.hpp>

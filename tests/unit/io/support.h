@@ -4,8 +4,8 @@
 
 #include "bodies/body.h"
 #include "core/output.h"
-#include "io/file.h"
-#include "io/xml_archive.h"
+#include "io/file/file.h"
+#include "io/xml/archive.h"
 
 #include <cstdlib>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "dam_break_facts.h"
-#include "loop/live_fields.h"
+#include "loop/flow/live_fields.h"
 
 #include <catch2/catch.hpp>
 

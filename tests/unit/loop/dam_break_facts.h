@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "loop/check.h"
+#include "loop/flow/check.h"
 
 #include <string>
 #include <utility>

@@ -4,7 +4,7 @@
 
 #include "core/archive.h"
 #include "core/errors.h"
-#include "loop/plan.h"
+#include "loop/plan/plan.h"
 
 #include <functional>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "loop/fit.h"
+#include "loop/plan/fit.h"
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/errors.h"
 #include "fakes.h"
-#include "loop/layer_run.h"
+#include "loop/run/layer_run.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "loop/live_fields.h"
+#include "loop/flow/live_fields.h"
 #include "dam_break_facts.h"
 
 #include <catch2/catch.hpp>

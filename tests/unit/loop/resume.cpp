@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/errors.h"
 #include "fakes.h"
-#include "loop/runner.h"
+#include "loop/run/runner.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "loop/runner.h"
+#include "loop/run/runner.h"
 #include "core/errors.h"
 #include "fakes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "fakes.h"
-#include "loop/runner.h"
+#include "loop/run/runner.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "loop/trigger.h"
+#include "loop/plan/trigger.h"
 #include "fakes.h"
 
 #include <catch2/catch.hpp>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "loop/window.h"
+#include "loop/plan/window.h"
 #include "fakes.h"
-#include "loop/layer_run.h"
+#include "loop/run/layer_run.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/build/derived_output.h"
+
+#include "dynamics/solid/derived_fields.h"
+#include "input/declaration/declaration.h"
+#include "materials/elastic_solid.h"
+
+#include <algorithm>
+
+namespace sphinx::model {
+namespace {
+
+template <int Dim>
+class DerivedOutput final : public sphinx::Output {
+ public:
+    DerivedOutput(std::unique_ptr<sphinx::Output> output, DerivedFields<Dim> fields)
+        : output_(std::move(output)), fields_(std::move(fields)) {}
+
+    std::vector<OutputFile> files() const override { return output_->files(); }
+    void write(const Clock& clock) override {
+        fields_.refresh();
+        output_->write(clock);
+    }
+    std::optional<std::string> sampledLayer() const override { return output_->sampledLayer(); }
+    void sample(const Clock& clock) override {
+        fields_.refresh();
+        output_->sample(clock);
+    }
+    void transfer(Archive& archive) override { output_->transfer(archive); }
+    void resume(const Clock& clock) override { output_->resume(clock); }
+    void finish() override { output_->finish(); }
+
+ private:
+    std::unique_ptr<sphinx::Output> output_;
+    DerivedFields<Dim> fields_;
+};
+
+}  // namespace
+
+template <int Dim>
+DerivedFields<Dim>::DerivedFields(const input::Component& output, World<Dim>& world) {
+    std::vector<input::Name> names;
+    for (const input::Parameter& parameter : output.declaration->parameters())
+        parameter.type->names(parameter.in(output.parameters.get()), names);
+    for (const input::Name& name : names) {
+        const FieldInfo* field = solid::isDerived(name.text) ? fields::find(name.text) : nullptr;
+        if (field && std::find(fields_.begin(), fields_.end(), field) == fields_.end())
+            fields_.push_back(field);
+    }
+    if (fields_.empty()) return;
+    for (const auto& body : world.bodies) {
+        if (!dynamic_cast<const ElasticSolid*>(body->material.get())) continue;
+        bodies_.push_back(body.get());
+        for (const FieldInfo* field : fields_) body->particles.require(*field);
+    }
+}
+
+template <int Dim>
+void DerivedFields<Dim>::refresh() const {
+    for (sphinx::Body<Dim>* body : bodies_)
+        for (const FieldInfo* field : fields_) solid::derive(*body, *field);
+}
+
+template <int Dim>
+std::unique_ptr<sphinx::Output> withDerivedFields(std::unique_ptr<sphinx::Output> output,
+                                                  DerivedFields<Dim> fields) {
+    if (fields.empty()) return output;
+    return std::make_unique<DerivedOutput<Dim>>(std::move(output), std::move(fields));
+}
+
+template class DerivedFields<2>;
+template class DerivedFields<3>;
+template std::unique_ptr<sphinx::Output> withDerivedFields(std::unique_ptr<sphinx::Output>,
+                                                           DerivedFields<2>);
+template std::unique_ptr<sphinx::Output> withDerivedFields(std::unique_ptr<sphinx::Output>,
+                                                           DerivedFields<3>);
+
+}  // namespace sphinx::model

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "loop/flow/facts.h"
+
+#include <vector>
+
+namespace sphinx::model {
+
+/// What each type of method computes from scratch: fields of its own body that an action of it
+/// writes and does not read. For advice where a case lacks one.
+std::vector<loop::FieldMaker> fieldMakers();
+
+}  // namespace sphinx::model

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "case/build/loop_facts.h"
+#include "case/model/model.h"
+#include "dynamics/builder.h"
+#include "loop/plan/plan.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace sphinx::model {
+
+/// The methods that the loop of a case calls, made from their parameters, and the calls that zero
+/// accumulated fields. What the loop does not call is not made: it cannot act.
+template <int Dim>
+class Methods {
+ public:
+    Methods(const Case& model, Context<Dim>& context);
+
+    Method* method(const std::string& name) const { return methods_.at(name).get(); }
+    TimeStepMethod* timeStep(const std::string& name) const { return time_steps_.at(name).get(); }
+    /// A method that sets a field to zero; it lives as long as this object.
+    Method* zero(sphinx::Body<Dim>& body, const std::string& field);
+
+    std::vector<const Method*> all() const;
+
+    /// State of all methods, a section for each.
+    void transfer(Archive& archive);
+
+ private:
+    std::map<std::string, std::unique_ptr<Method>> methods_;
+    std::map<std::string, std::unique_ptr<TimeStepMethod>> time_steps_;
+    std::vector<std::unique_ptr<Method>> zeros_;
+};
+
+/// The loop of a case, ready to run but for its outputs. Calls of particles.sort and others that
+/// only change speed are in it like any other.
+template <int Dim>
+loop::Plan buildPlan(const Case& model, const loop::LoopFacts& facts, World<Dim>& world,
+                     Methods<Dim>& methods);
+
+/// The trigger of an `every`; nothing for the start and the end only.
+std::optional<loop::Trigger> triggerOf(const Every& every);
+
+}  // namespace sphinx::model

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "case/model/model.h"
+#include "input/tree/diagnostics.h"
+#include "loop/flow/facts.h"
+
+namespace sphinx::model {
+
+/// The loop of a case as its check sees it, with the places that its ids stand for.
+struct PlacedFacts {
+    loop::LoopFacts facts;
+    std::vector<Place> places;  ///< by id
+};
+
+PlacedFacts loopFacts(const Case& model);
+
+/// Runs the check of the loop and reports what it finds at its places.
+void checkLoop(const PlacedFacts& placed, input::Diagnostics& diagnostics);
+
+}  // namespace sphinx::model

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/build/outputs.h"
+
+#include "case/build/derived_output.h"
+#include "case/build/loop.h"
+#include "io/output/output_factory.h"
+#include "io/register.h"
+#include "io/restart/output.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <map>
+
+namespace sphinx::model {
+namespace {
+
+template <int Dim>
+std::unique_ptr<sphinx::Output> makeRestart(const OutputTools<Dim>& tools,
+                                            const io::RestartSettings& settings) {
+    io::RestartParameters parameters{tools.folder / "restart", settings.keep, settings.encoding,
+                                     tools.restart_header};
+    return std::make_unique<io::RestartOutput<Dim>>(parameters, tools.restart_bodies, tools.state);
+}
+
+/// Observers whose points move with the material.
+template <int Dim>
+std::vector<const sphinx::Body<Dim>*> followers(const OutputTools<Dim>& tools) {
+    std::vector<const sphinx::Body<Dim>*> bodies;
+    for (const Body& body : tools.model.bodies)
+        if (body.kind == BodyKind::observer && body.follows == Follows::material)
+            bodies.push_back(tools.world.find(body.name));
+    return bodies;
+}
+
+/// Refuses what would write the same files as an output before it.
+class FileOwners {
+ public:
+    void add(const Output& source, const sphinx::Output& output) {
+        for (const OutputFile& file : output.files()) {
+            const auto [owner, added] = owners_.emplace(file.name, source.name);
+            if (!added)
+                io::failAt(source.place, fmt::format("'{}' would write {}, a file of '{}'; {}",
+                                                     source.name, file.name, owner->second,
+                                                     "two outputs cannot write the same"));
+        }
+    }
+
+ private:
+    std::map<std::string, std::string> owners_;
+};
+
+}  // namespace
+
+template <int Dim>
+Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
+    const auto results =
+        std::make_shared<io::ResultsFile>(tools.folder / "results.h5", tools.provenance);
+    const io::OutputContext<Dim> context{tools.world,       tools.relations,  tools.folder,
+                                         tools.model.units, tools.provenance, results,
+                                         tools.progress,    tools.methods,    followers(tools)};
+    FileOwners owners;
+    for (const Output& source : tools.model.outputs) {
+        const std::string& type = source.declaration->name();
+        const bool restart = type == "restart";
+        if (!files && type != "progress") continue;
+        DerivedFields<Dim> derived(source, tools.world);
+        if (restart)
+            outputs_.push_back(makeRestart(tools, source.as<io::RestartSettings>()));
+        else
+            outputs_.push_back(withDerivedFields(
+                source.declaration->builder<io::OutputFactory>().make(source, context),
+                std::move(derived)));
+        owners.add(source, *outputs_.back());
+        entries_.push_back(
+            {source.name, type, outputs_.back().get(), triggerOf(source.every), restart});
+    }
+    const bool restarts = std::any_of(entries_.begin(), entries_.end(),
+                                      [](const loop::OutputEntry& entry) { return entry.restart; });
+    if (!files || restarts) return;
+    outputs_.push_back(makeRestart(tools, io::RestartSettings{}));
+    // A name that no output of a case can have.
+    entries_.push_back({"last state", "restart", outputs_.back().get(), std::nullopt, true});
+}
+
+template <int Dim>
+void Outputs<Dim>::addTo(loop::Plan& plan) const {
+    plan.outputs = entries_;
+}
+
+template class Outputs<2>;
+template class Outputs<3>;
+
+}  // namespace sphinx::model

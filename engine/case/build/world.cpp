@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/build/world.h"
+
+#include "case/build/fibres.h"
+#include "case/build/initial_values.h"
+#include "case/build/parts.h"
+#include "case/check/elastic.h"
+#include "case/check/loads.h"
+#include "case/check/particles.h"
+#include "case/check/viscosity.h"
+#include "case/check/walls.h"
+#include "materials/register.h"
+#include "particles/lattice.h"
+
+#include <cmath>
+#include <map>
+
+namespace sphinx::model {
+namespace {
+
+template <int Dim>
+sphinx::Domain<Dim> makeDomain(const Case& model) {
+    sphinx::Domain<Dim> domain;
+    for (const Shape& shape : model.shapes)
+        if (!shape.as<Dim>()->empty()) domain.bounds.include(shape.as<Dim>()->bounds());
+    if (model.domain.lower) domain.bounds.lower = model.domain.lower->as<Dim>();
+    if (model.domain.upper) domain.bounds.upper = model.domain.upper->as<Dim>();
+    for (const int axis : model.domain.periodic)
+        domain.periodic[static_cast<std::size_t>(axis)] = true;
+    domain.lost = model.domain.lost;
+    return domain;
+}
+
+/// Lattice lines start at the origin that the body names, else at that of the coordinates; along a
+/// periodic axis at the lower bound, so that the lattice goes on across it.
+template <int Dim>
+Vec<Dim> latticeOrigin(const Body& body, const sphinx::Domain<Dim>& domain) {
+    if (body.resolution.origin) return body.resolution.origin->as<Dim>();
+    Vec<Dim> origin = Vec<Dim>::Zero();
+    for (int k = 0; k < Dim; ++k)
+        if (domain.periodic[static_cast<std::size_t>(k)]) origin[k] = domain.bounds.lower[k];
+    return origin;
+}
+
+/// Particles of a lattice along periodic axes: a face shared by both ends belongs to one of them.
+template <int Dim>
+void keepOnePeriod(std::vector<Vec<Dim>>& points, const sphinx::Domain<Dim>& domain) {
+    std::erase_if(points, [&](const Vec<Dim>& p) {
+        for (int k = 0; k < Dim; ++k)
+            if (domain.periodic[static_cast<std::size_t>(k)] &&
+                (p[k] < domain.bounds.lower[k] || p[k] >= domain.bounds.upper[k]))
+                return true;
+        return false;
+    });
+}
+
+template <int Dim>
+void makeParticles(const Case& model, const Body& source, const sphinx::Domain<Dim>& domain,
+                   sphinx::Body<Dim>& body) {
+    std::vector<Vec<Dim>> points;
+    std::vector<double> volumes;
+    if (source.kind == BodyKind::observer) {
+        for (const Coordinates& p : source.points) points.push_back(p.as<Dim>());
+    } else if (source.particles) {
+        for (const Coordinates& p : source.particles->points) points.push_back(p.as<Dim>());
+        volumes = source.particles->volumes;
+    } else {
+        points = latticePoints<Dim>(*body.shape, body.spacing, latticeOrigin(source, domain));
+        keepOnePeriod(points, domain);
+    }
+    if (volumes.empty()) volumes.assign(points.size(), std::pow(body.spacing, Dim));
+
+    body.particles.append(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) body.particles.position()[i] = points[i];
+    if (source.kind == BodyKind::observer) return;
+    setInitialValues(source, volumes, model.loop.start_time, body);
+    if (keepsInitialPosition(model, source)) {
+        auto& start = body.particles.vector(fields::initial_position);
+        for (std::size_t i = 0; i < points.size(); ++i) start[i] = points[i];
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
+                                       input::Diagnostics& diagnostics) {
+    checkLattices<Dim>(model, diagnostics);
+    diagnostics.throwIfErrors();
+    auto world = std::make_unique<World<Dim>>();
+    world->units = model.units;
+    world->domain = makeDomain<Dim>(model);
+
+    std::map<std::string, std::shared_ptr<const Material>> materials;
+    for (const Component& material : model.materials)
+        materials[material.name] =
+            material.declaration->builder<MaterialFactory>()(material.parameters.get());
+
+    for (const Body& source : model.bodies) {
+        auto body = std::make_unique<sphinx::Body<Dim>>();
+        body->name = source.name;
+        body->kind = source.kind;
+        if (!source.material.empty()) body->material = materials.at(source.material.text);
+        if (!source.shape.empty()) body->shape = model.findShape(source.shape.text)->as<Dim>();
+        body->spacing = source.spacing(model.resolution);
+        const double h = source.smoothingRatio(model.resolution) * body->spacing;
+        body->kernel = Kernel<Dim>(model.resolution.kernel, h, body->spacing);
+        for (const Part& part : source.parts) body->parts.push_back({part.name, {}, {}, false});
+        if (particles || source.kind == BodyKind::observer)
+            makeParticles(model, source, world->domain, *body);
+        if (particles && hasFibres(model, source))
+            setFibres(*model.findMaterial(source.material.text), *body, diagnostics);
+        world->bodies.push_back(std::move(body));
+    }
+    for (const auto& body : world->bodies)
+        for (const Contact& contact : model.seenBy(body->name)) {
+            sphinx::Body<Dim>* other = world->find(contact.body.text);
+            (contact.bonded ? body->bonded : body->sees).push_back(other);
+        }
+    for (const auto& body : world->bodies)
+        if (body->kind == BodyKind::observer && !body->sees.empty()) {
+            body->spacing = body->sees.front()->spacing;
+            body->kernel = body->sees.front()->kernel;
+        }
+    if (particles) {
+        fillParts(model, *world);
+        checkParticles(model, *world, diagnostics);
+        checkElastic(model, *world, diagnostics);
+        checkWalls(model, *world, diagnostics);
+        checkViscosity(model, diagnostics);
+        checkLoads(model, *world, diagnostics);
+    }
+    return world;
+}
+
+template std::unique_ptr<World<2>> buildWorld<2>(const Case&, bool, input::Diagnostics&);
+template std::unique_ptr<World<3>> buildWorld<3>(const Case&, bool, input::Diagnostics&);
+
+}  // namespace sphinx::model

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/check/overlap.h"
+
+#include "neighbors/list_builder.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sphinx::model {
+namespace {
+
+/// Of what is compared in spacings.
+constexpr double rounding = 1e-6;
+
+/// Distance to the surface of its shape; 0 outside.
+template <int Dim>
+double depth(const sphinx::Body<Dim>& body, std::size_t i) {
+    return std::max(0.0, -body.shape->signedDistance(body.particles.position()[i]));
+}
+
+/// The particles of two bodies that are too near to each other.
+template <int Dim>
+struct Meeting {
+    std::size_t count = 0;  ///< particles of a
+    std::size_t a = 0;      ///< the pair of largest overlap, or the nearest one
+    std::size_t b = 0;
+    double distance = std::numeric_limits<double>::infinity();
+    /// Length by which the shapes surely overlap: balls around both particles that lie within their
+    /// shapes meet as far.
+    double overlap = 0;
+};
+
+/// Particles nearer than half a spacing: lattices side by side keep a whole spacing.
+template <int Dim>
+Meeting<Dim> meet(const World<Dim>& world, const sphinx::Body<Dim>& a, const sphinx::Body<Dim>& b,
+                  bool shapes) {
+    const double spacing = std::max(a.spacing, b.spacing);
+    const double limit = 0.5 * spacing * (1 - rounding);
+    CellGrid<Dim> grid_a;
+    CellGrid<Dim> grid_b;
+    grid_a.build(a.particles.position().data(), a.size(), spacing);
+    grid_b.build(b.particles.position().data(), b.size(), spacing);
+    NeighborList<Dim> list;
+    const Kernel<Dim> kernel(KernelType::wendland_c2, limit / WendlandC2<Dim>::reach, limit);
+    buildList(grid_a, grid_b, false, kernel, world.domain, list);
+    Meeting<Dim> meeting;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (list.ranges[i].count == 0) continue;
+        ++meeting.count;
+        const double depth_a = shapes ? depth(a, i) : 0;
+        for (std::size_t k = 0; k < list.ranges[i].count; ++k) {
+            const std::size_t j = list.of(i)[k / lane_count].index[k % lane_count];
+            const double distance =
+                world.domain.difference(a.particles.position()[i], b.particles.position()[j])
+                    .norm();
+            const double overlap = shapes ? depth_a + depth(b, j) - distance : 0;
+            const bool farther = overlap > meeting.overlap + rounding * spacing;
+            const bool nearer = meeting.overlap <= rounding * spacing &&
+                                distance < meeting.distance - rounding * spacing;
+            if (!farther && !nearer) continue;
+            meeting.a = i;
+            meeting.b = j;
+            meeting.distance = distance;
+            meeting.overlap = std::max(overlap, 0.0);
+        }
+    }
+    return meeting;
+}
+
+/// By how many spacings the cell of a particle reaches out of its shape.
+template <int Dim>
+double beyond(const sphinx::Body<Dim>& body, std::size_t i) {
+    return 0.5 - depth(body, i) / body.spacing;
+}
+
+/// Why the cells of a lattice reach out of its shape at that particle.
+template <int Dim>
+std::string latticeText(const World<Dim>& world, const sphinx::Body<Dim>& body, std::size_t i) {
+    const std::string what = fmt::format("cells of {} reach {:.2g} spacings out of its shape",
+                                         body.name, beyond(body, i));
+    const Vec<Dim>& x = body.particles.position()[i];
+    const Vec<Dim> normal = body.shape->normal(x);
+    int axis = 0;
+    const double along = normal.cwiseAbs().maxCoeff(&axis);
+    if (along < 1 - rounding) return what + ", whose surface does not run along the lattice there";
+    const double extent = body.shape->bounds().size()[axis];
+    const double cells = extent / body.spacing;
+    if (std::abs(cells - std::round(cells)) > rounding * cells)
+        return fmt::format("{}, whose extent in {}, {}, is {:.6g} spacings, no whole number", what,
+                           "xyz"[axis], world.quantityText(extent, unit::length), cells);
+    const double surface = x[axis] + std::copysign(depth(body, i), normal[axis]);
+    return fmt::format(
+        "{}, whose surface at {} = {} lies between the lines of the lattice: give "
+        "its resolution an 'origin' there",
+        what, "xyz"[axis], world.quantityText(surface, unit::length));
+}
+
+template <int Dim>
+void checkPair(const Case& model, const World<Dim>& world, const sphinx::Body<Dim>& a,
+               const sphinx::Body<Dim>& b, input::Diagnostics& diagnostics) {
+    const Body& source = *model.findBody(a.name);
+    const bool lattices =
+        a.shape && b.shape && !source.particles && !model.findBody(b.name)->particles;
+    const Meeting<Dim> meeting = meet(world, a, b, lattices);
+    if (meeting.count == 0) return;
+    const double spacing = std::max(a.spacing, b.spacing);
+    const std::string place = world.placeText(a.particles.position()[meeting.a]);
+    const std::string close =
+        fmt::format("{} of its particles lie{} nearer than half a spacing to one of {}",
+                    meeting.count, meeting.count == 1 ? "s" : "", b.name);
+    if (meeting.overlap > rounding * spacing) {
+        diagnostics.error(
+            source.place,
+            fmt::format("{} overlaps {} by {:.3g} spacings at {}: {}; subtract one shape from the "
+                        "other",
+                        a.name, b.name, meeting.overlap / spacing, place, close));
+        return;
+    }
+    const std::string text =
+        fmt::format("{} comes too near to {}: {}, down to {:.2g} spacings at {}", a.name, b.name,
+                    close, meeting.distance / spacing, place);
+    if (!lattices) {
+        diagnostics.error(source.place, text);
+        return;
+    }
+    const bool by_a = beyond(a, meeting.a) >= beyond(b, meeting.b);
+    diagnostics.error(source.place, text + "; their shapes do not overlap there, but " +
+                                        (by_a ? latticeText(world, a, meeting.a)
+                                              : latticeText(world, b, meeting.b)));
+}
+
+}  // namespace
+
+template <int Dim>
+void checkOverlap(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+    for (std::size_t m = 0; m < world.bodies.size(); ++m)
+        for (std::size_t k = m + 1; k < world.bodies.size(); ++k) {
+            const auto& a = *world.bodies[m];
+            const auto& b = *world.bodies[k];
+            if (a.kind == BodyKind::observer || b.kind == BodyKind::observer) continue;
+            if (a.size() == 0 || b.size() == 0) continue;
+            checkPair<Dim>(model, world, a, b, diagnostics);
+        }
+}
+
+template void checkOverlap(const Case&, const World<2>&, input::Diagnostics&);
+template void checkOverlap(const Case&, const World<3>&, input::Diagnostics&);
+
+}  // namespace sphinx::model

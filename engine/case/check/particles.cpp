@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/check/particles.h"
+
+#include "case/check/overlap.h"
+#include "particles/lattice.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cmath>
+
+namespace sphinx::model {
+namespace {
+
+/// More particles have no 32-bit index; some of the box around a body may be empty.
+constexpr double most_lattice_points = 1e10;
+/// What a particle needs at least (position, velocity, mass, ...), without its lists.
+constexpr double bytes_of_particle = 100;
+/// Lattices are counted by a sample where they have more points than that.
+constexpr double sampled_points = 1e6;
+
+double physicalMemory() {
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// Number of lattice points in a shape, from a coarser lattice where there are many.
+template <int Dim>
+double countAbout(const geometry::Shape<Dim>& shape, double spacing) {
+    const double cells = (shape.bounds().size() / spacing).prod();
+    const double ratio = std::max(1.0, std::pow(cells / sampled_points, 1.0 / Dim));
+    const auto sample = latticePoints<Dim>(shape, ratio * spacing, shape.bounds().lower);
+    return static_cast<double>(sample.size()) * std::pow(ratio, Dim);
+}
+
+template <int Dim>
+void checkDomain(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
+                 input::Diagnostics& diagnostics) {
+    if (body.kind == BodyKind::solid) return;
+    const auto& position = body.particles.position();
+    std::size_t outside = 0;
+    std::size_t first = 0;
+    for (std::size_t i = body.size(); i-- > 0;)
+        if (!world.domain.bounds.contains(position[i])) {
+            ++outside;
+            first = i;
+        }
+    if (outside == 0) return;
+    if (body.kind == BodyKind::fluid)
+        diagnostics.error(
+            source.place,
+            fmt::format("{} of {} particles of {} start outside of the domain, the "
+                        "first at {}; enlarge the domain or cut the shape",
+                        outside, body.size(), body.name, world.placeText(position[first])));
+    else
+        diagnostics.warning(
+            source.place,
+            fmt::format("{} of {} points of {} {} outside of the domain, the "
+                        "first at {}",
+                        outside, body.size(), body.name, outside == 1 ? "lies" : "lie",
+                        world.placeText(position[first])));
+}
+
+/// Nearer images of a particle than its reach would be its neighbors.
+template <int Dim>
+void checkPeriod(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
+                 input::Diagnostics& diagnostics) {
+    const sphinx::Domain<Dim>& domain = world.domain;
+    for (int axis = 0; axis < Dim; ++axis) {
+        const double period = domain.bounds.upper[axis] - domain.bounds.lower[axis];
+        if (domain.periodic[axis] && period < body.kernel.cutoff())
+            diagnostics.error(
+                source.place,
+                fmt::format("the period in {} is {} but must be at least {}, the "
+                            "reach of the kernel of {}",
+                            "xyz"[axis], world.quantityText(period, unit::length),
+                            world.quantityText(body.kernel.cutoff(), unit::length), body.name));
+    }
+}
+
+/// An expression of place may have no value somewhere, and a fluid bears no pressure at which its
+/// density would not be positive.
+template <int Dim>
+void checkInitialValues(const Body& source, sphinx::Body<Dim>& body, const World<Dim>& world,
+                        input::Diagnostics& diagnostics) {
+    const auto report = [&](const FieldInfo& field, double value, const Vec<Dim>& at) {
+        diagnostics.error(source.place,
+                          fmt::format("the initial {} of {} is {} at {}", field.name, body.name,
+                                      world.quantityText(value, field.unit), world.placeText(at)));
+    };
+    auto& particles = body.particles;
+    const auto& velocity = particles.vector(fields::velocity);
+    const auto& density = particles.scalar(fields::density);
+    const auto& volume = particles.scalar(fields::volume);
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const Vec<Dim>& x = particles.position()[i];
+        if (!(volume[i] > 0)) return report(fields::volume, volume[i], x);
+        if (!velocity[i].allFinite()) return report(fields::velocity, velocity[i].norm(), x);
+        if (!source.initial.pressure) continue;
+        const double pressure = particles.scalar(fields::pressure)[i];
+        if (!std::isfinite(pressure)) return report(fields::pressure, pressure, x);
+        if (density[i] > 0 && std::isfinite(density[i])) continue;
+        diagnostics.error(
+            source.place,
+            fmt::format("the initial pressure of {} is {} at {}, at which its density would be {} "
+                        "but must be above 0",
+                        body.name, world.quantityText(pressure, unit::pressure), world.placeText(x),
+                        world.quantityText(density[i], unit::density)));
+        return;
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+    for (const Body& source : model.bodies) {
+        sphinx::Body<Dim>& body = *world.find(source.name);
+        if (body.size() == 0) {
+            diagnostics.error(
+                source.place,
+                fmt::format("{} has no particles: its shape holds no point of the lattice of "
+                            "spacing {}",
+                            body.name, world.quantityText(body.spacing, unit::length)));
+            continue;
+        }
+        for (std::size_t k = 0; k < body.parts.size(); ++k)
+            if (body.parts[k].particles.empty())
+                diagnostics.error(source.parts[k].place,
+                                  fmt::format("the part '{}' of {} holds none of its particles",
+                                              body.parts[k].name, body.name));
+        checkDomain<Dim>(source, body, world, diagnostics);
+        if (body.kind == BodyKind::observer) continue;
+        checkPeriod<Dim>(source, body, world, diagnostics);
+        checkInitialValues<Dim>(source, body, world, diagnostics);
+    }
+    checkOverlap<Dim>(model, world, diagnostics);
+}
+
+template <int Dim>
+void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
+    const std::string length = model.units.suffix(unit::length);
+    for (const Body& source : model.bodies) {
+        if (source.shape.empty() || source.particles) continue;
+        const auto& shape = *model.findShape(source.shape.text)->as<Dim>();
+        if (shape.empty()) continue;
+        const double spacing = source.spacing(model.resolution);
+        const Vec<Dim> cells = shape.bounds().size() / spacing;
+        if (!(cells.prod() <= most_lattice_points && cells.maxCoeff() <= most_lattice_points)) {
+            diagnostics.error(
+                source.place,
+                fmt::format("the lattice of spacing {:g}{} has {:.3g} points in the box "
+                            "around {}; the most is {:.0e}",
+                            spacing, length, cells.prod(), source.name, most_lattice_points));
+            continue;
+        }
+        if (cells.prod() <= sampled_points) continue;
+        const double count = countAbout<Dim>(shape, spacing);
+        if (count * bytes_of_particle > physicalMemory())
+            diagnostics.error(
+                source.place,
+                fmt::format("the lattice of spacing {:g}{} gives {} about {:.1g} "
+                            "particles, which do not fit in the memory of this "
+                            "machine ({:.2g} GB)",
+                            spacing, length, source.name, count, physicalMemory() / 1e9));
+    }
+}
+
+template void checkLattices<2>(const Case&, input::Diagnostics&);
+template void checkLattices<3>(const Case&, input::Diagnostics&);
+template void checkParticles(const Case&, const World<2>&, input::Diagnostics&);
+template void checkParticles(const Case&, const World<3>&, input::Diagnostics&);
+
+}  // namespace sphinx::model

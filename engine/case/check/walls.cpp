@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/check/walls.h"
+
+#include "dynamics/geometry/normals_from_shape.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+namespace sphinx::model {
+namespace {
+
+constexpr int layers_needed = 3;
+/// Of the particles at the surface; fewer are the tips of wedges, which are thin anyhow.
+constexpr double part_that_counts = 0.125;
+
+/// Particles below this one along the inward normal of the surface, itself included.
+template <int Dim>
+int layersAt(const sphinx::Body<Dim>& body, const Vec<Dim>& point) {
+    const Vec<Dim> inwards = -body.spacing * body.shape->normal(point);
+    int layers = 1;
+    while (layers < layers_needed && body.shape->contains(point + layers * inwards)) ++layers;
+    return layers;
+}
+
+template <int Dim>
+void checkThickness(const Body& source, const World<Dim>& world, const sphinx::Body<Dim>& wall,
+                    const sphinx::Body<Dim>& fluid, input::Diagnostics& diagnostics) {
+    const auto& position = wall.particles.position();
+    std::size_t surface = 0;
+    std::size_t thin = 0;
+    int fewest = layers_needed;
+    Vec<Dim> first = Vec<Dim>::Zero();
+    for (std::size_t i = 0; i < wall.size(); ++i) {
+        if (wall.shape->signedDistance(position[i]) < -wall.spacing) continue;
+        ++surface;
+        const int layers = layersAt(wall, position[i]);
+        if (layers >= layers_needed) continue;
+        if (thin++ == 0) first = position[i];
+        fewest = std::min(fewest, layers);
+    }
+    if (thin > 0 && static_cast<double>(thin) >= part_that_counts * static_cast<double>(surface))
+        diagnostics.warning(
+            source.place,
+            fmt::format("{} is only {} layer{} of particles thick, first at {}; {} may leak "
+                        "through fewer than {}",
+                        wall.name, fewest, fewest == 1 ? "" : "s", world.placeText(first),
+                        fluid.name, layers_needed));
+}
+
+/// Normals from the shape want a shape, of the body and of those joined to it.
+void checkNormals(const Case& model, input::Diagnostics& diagnostics) {
+    for (const Component& method : model.dynamics) {
+        if (method.declaration->name() != "geometry.normals_from_shape") continue;
+        const auto& p = method.as<geometry::NormalsFromShapeParameters>();
+        std::vector<Name> names{p.body};
+        names.insert(names.end(), p.joined.begin(), p.joined.end());
+        for (const Name& name : names)
+            if (const Body* body = model.findBody(name.text); body && body->shape.empty())
+                diagnostics.error(name.place,
+                                  fmt::format("{} has no shape that tells the normal of its "
+                                              "surface: its particles are given one by one",
+                                              name.text));
+    }
+}
+
+/// A rigid body acts on those that see it, and on nothing else.
+void checkSeen(const Case& model, input::Diagnostics& diagnostics) {
+    for (const Body& wall : model.bodies) {
+        if (wall.kind != BodyKind::solid || isElastic(model, wall)) continue;
+        const bool seen =
+            std::any_of(model.topology.begin(), model.topology.end(), [&](const Sight& sight) {
+                const Body& seer = *model.findBody(sight.body.text);
+                return (seer.kind == BodyKind::fluid || isElastic(model, seer)) &&
+                       std::any_of(sight.sees.begin(), sight.sees.end(),
+                                   [&](const Contact& c) { return c.body.text == wall.name; });
+            });
+        if (!seen)
+            diagnostics.warning(wall.place, fmt::format("no fluid or elastic body sees {} in "
+                                                        "topology: it holds nothing back",
+                                                        wall.name));
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+    checkNormals(model, diagnostics);
+    checkSeen(model, diagnostics);
+    for (const auto& solid : world.bodies) {
+        if (solid->kind != BodyKind::solid) continue;
+        const sphinx::Body<Dim>* finest = nullptr;  // of the fluids that see it
+        for (const auto& fluid : world.bodies)
+            if (fluid->kind == BodyKind::fluid &&
+                std::find(fluid->sees.begin(), fluid->sees.end(), solid.get()) !=
+                    fluid->sees.end() &&
+                (!finest || fluid->spacing < finest->spacing))
+                finest = fluid.get();
+        if (!finest) continue;
+        const Body& source = *model.findBody(solid->name);
+        if (solid->spacing > finest->spacing * (1 + 1e-9))
+            diagnostics.warning(
+                source.place,
+                fmt::format("{} has a spacing of {}, coarser than the {} of {}, which may leak",
+                            solid->name, world.quantityText(solid->spacing, unit::length),
+                            world.quantityText(finest->spacing, unit::length), finest->name));
+        if (solid->shape && dynamic_cast<const Rigid*>(solid->material.get()))
+            checkThickness<Dim>(source, world, *solid, *finest, diagnostics);
+    }
+}
+
+template void checkWalls(const Case&, const World<2>&, input::Diagnostics&);
+template void checkWalls(const Case&, const World<3>&, input::Diagnostics&);
+
+}  // namespace sphinx::model

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The blocks of a case as they are written, before they become a model.
+
+#include "case/language/shapes.h"
+#include "case/model/model.h"
+#include "input/declaration/registry.h"
+#include "loop/plan/window.h"
+
+namespace sphinx::model {
+
+struct LineBlock {
+    Coordinates from, to;
+    int points = 2;
+};
+
+struct AreaBlock {
+    Coordinates from;
+    input::Table edges;
+    std::vector<int> points;
+};
+
+struct BodyBlock {
+    BodyKind kind = BodyKind::fluid;
+    Name shape;
+    Name material;
+    std::optional<BodyResolution> resolution;
+    std::optional<Initial> initial;
+    std::vector<std::pair<Name, Name>> parts;
+    std::optional<input::Table> particles;
+    std::optional<input::Table> points;
+    std::optional<LineBlock> line;
+    std::optional<AreaBlock> area;
+    std::optional<Follows> follows;
+};
+
+/// An entry of `bodies`.
+struct NamedBody {
+    std::string name;
+    Place place;
+    std::vector<std::pair<std::string, Place>> given;  ///< keys that were written
+    BodyBlock block;
+    bool good = false;  ///< it was read without an error
+};
+
+struct TimeStepBlock {
+    std::vector<Name> methods;
+    std::optional<double> number;
+};
+
+struct LayerBlock;
+
+/// What a line of the loop that is more than a name says.
+struct RunBlock {
+    Name run;
+    std::optional<Every> every;
+    std::optional<double> from, until;
+};
+
+/// A line of the loop.
+struct StepBlock {
+    Name run;  ///< METHOD or METHOD.ACTION
+    std::optional<Every> every;
+    loop::Window window;
+    std::shared_ptr<LayerBlock> layer;
+};
+
+struct LayerBlock {
+    Name layer;
+    TimeStepBlock dt;
+    Fit fit = Fit::split;
+    std::vector<StepBlock> steps;
+};
+
+struct LoopBlock : LayerBlock {
+    double start_time = 0;
+    double end_time = 0;
+    std::vector<StepBlock> start;
+};
+
+struct ContactBlock {
+    Name body;  ///< "self", or a body
+    bool bonded = false;
+};
+
+struct OutputBlock {
+    std::optional<Every> every;
+};
+
+/// An entry of `outputs`.
+struct NamedOutput : Component {
+    OutputBlock block;
+};
+
+/// The whole file.
+struct CaseBlock {
+    int version = 1;
+    std::string title;
+    int dimension = 2;
+    std::optional<input::UnitSystem> units = input::UnitSystem{};  ///< empty: none
+    std::vector<std::string> include;  ///< already merged when the block is read
+    input::Node variables;             ///< once read: those that the resolved case needs
+    Resolution resolution;
+    Domain domain;
+    std::vector<NamedShape> geometry;
+    std::vector<Component> materials;
+    std::vector<NamedBody> bodies;
+    std::vector<std::pair<Name, std::vector<ContactBlock>>> topology;
+    std::vector<Component> dynamics;
+    LoopBlock loop;
+    std::vector<NamedOutput> outputs;
+};
+
+}  // namespace sphinx::model

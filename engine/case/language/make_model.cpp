@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/language/phases.h"
+
+#include <cmath>
+
+namespace sphinx::model {
+namespace {
+
+using namespace input;
+
+Coordinates pointOf(const std::vector<double>& row, int dimension) {
+    Coordinates point;
+    point.size = dimension;
+    for (int k = 0; k < dimension; ++k) point.values[k] = row[k];
+    return point;
+}
+
+std::vector<Coordinates> pointsOf(const LineBlock& line) {
+    std::vector<Coordinates> points;
+    for (int n = 0; n < line.points; ++n) {
+        const double s = static_cast<double>(n) / (line.points - 1);
+        Coordinates& point = points.emplace_back(line.from);
+        for (int k = 0; k < point.size; ++k)
+            point.values[k] = (1 - s) * line.from.values[k] + s * line.to.values[k];
+    }
+    return points;
+}
+
+std::vector<Coordinates> pointsOf(const AreaBlock& area) {
+    std::vector<Coordinates> points{area.from};
+    for (std::size_t edge = 0; edge < area.edges.rows.size(); ++edge) {
+        std::vector<Coordinates> more;
+        const int n = area.points[edge];
+        for (const Coordinates& base : points)
+            for (int cell = 0; cell < n; ++cell) {
+                Coordinates& point = more.emplace_back(base);
+                for (int k = 0; k < point.size; ++k)
+                    point.values[k] += (cell + 0.5) / n * area.edges.rows[edge][k];
+            }
+        points = std::move(more);
+    }
+    return points;
+}
+
+Body makeBody(const NamedBody& named, int dimension) {
+    const BodyBlock& block = named.block;
+    Body body;
+    body.name = named.name;
+    body.place = named.place;
+    body.kind = block.kind;
+    body.shape = block.shape;
+    body.material = block.material;
+    body.resolution = block.resolution.value_or(BodyResolution{});
+    body.initial = block.initial.value_or(Initial{});
+    body.follows = block.follows.value_or(Follows::space);
+    for (const auto& [part, shape] : block.parts)
+        body.parts.push_back({part.text, part.place, shape});
+    if (block.particles) {
+        DirectParticles& direct = body.particles.emplace();
+        for (const auto& row : block.particles->rows) {
+            direct.points.push_back(pointOf(row, dimension));
+            direct.volumes.push_back(row.back());
+        }
+    }
+    if (block.points)
+        for (const auto& row : block.points->rows) body.points.push_back(pointOf(row, dimension));
+    if (block.line) body.points = pointsOf(*block.line);
+    if (block.area) body.points = pointsOf(*block.area);
+    return body;
+}
+
+class LoopMaker {
+ public:
+    explicit LoopMaker(const std::vector<Component>& methods) : methods_(methods) {}
+
+    Layer layer(const LayerBlock& block) const {
+        return {block.layer.text, block.layer.place, block.dt.methods,
+                block.dt.number,  block.fit,         steps(block.steps)};
+    }
+    std::vector<Step> steps(const std::vector<StepBlock>& blocks) const {
+        std::vector<Step> steps;
+        for (const StepBlock& block : blocks) {
+            Step& step = steps.emplace_back();
+            if (block.layer) {
+                step.place = block.layer->layer.place;
+                step.layer = std::make_shared<Layer>(layer(*block.layer));
+                continue;
+            }
+            const auto [method, action] = splitAction(block.run.text);
+            step.place = block.run.place;
+            step.method = {method, block.run.place};
+            step.action = action;
+            step.every = block.every;
+            step.window = block.window;
+            for (const Component& component : methods_)
+                if (component.name == method)
+                    step.action_index = component.declaration->actionIndex(action);
+        }
+        return steps;
+    }
+
+ private:
+    const std::vector<Component>& methods_;
+};
+
+}  // namespace
+
+Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics) {
+    Case model;
+    model.title = block.title;
+    model.dimension = block.dimension;
+    model.units = units;
+    model.resolution = block.resolution;
+    model.domain = block.domain;
+    model.shapes = buildShapes(block.geometry, block.dimension, diagnostics);
+    model.materials = block.materials;
+    for (const NamedBody& body : block.bodies)
+        model.bodies.push_back(makeBody(body, block.dimension));
+    for (const auto& [body, contacts] : block.topology) {
+        Sight& sight = model.topology.emplace_back();
+        sight.body = body;
+        for (const ContactBlock& contact : contacts) {
+            Contact seen{contact.body, contact.bonded};
+            if (seen.body.text == "self") seen.body.text = body.text;
+            sight.sees.push_back(std::move(seen));
+        }
+    }
+    model.dynamics = block.dynamics;
+    const LoopMaker maker(block.dynamics);
+    model.loop.place = block.loop.layer.place;
+    model.loop.start_time = block.loop.start_time;
+    model.loop.end_time = block.loop.end_time;
+    model.loop.start = maker.steps(block.loop.start);
+    model.loop.layer = maker.layer(block.loop);
+    for (const NamedOutput& output : block.outputs) {
+        Output& made = model.outputs.emplace_back();
+        static_cast<Component&>(made) = output;
+        made.every = output.block.every.value_or(Every{});
+    }
+    return model;
+}
+
+bool isElastic(const Case& model, const Body& body) {
+    const Component* material = model.findMaterial(body.material.text);
+    return material && material->declaration->hasTrait("elastic");
+}
+
+double Body::spacing(const Resolution& reference) const {
+    return resolution.spacing ? *resolution.spacing
+                              : std::ldexp(reference.spacing, -resolution.level);
+}
+
+double Body::smoothingRatio(const Resolution& reference) const {
+    return resolution.smoothing_ratio.value_or(reference.smoothing_ratio);
+}
+
+namespace {
+template <class Entries>
+auto findByName(const Entries& entries, std::string_view name) -> decltype(entries.data()) {
+    for (const auto& entry : entries)
+        if (entry.name == name) return &entry;
+    return nullptr;
+}
+
+bool callsIn(const std::vector<Step>& steps, std::string_view method);
+bool callsIn(const Layer& layer, std::string_view method) {
+    for (const Name& name : layer.dt_methods)
+        if (name.text == method) return true;
+    return callsIn(layer.steps, method);
+}
+bool callsIn(const std::vector<Step>& steps, std::string_view method) {
+    for (const Step& step : steps)
+        if (step.layer ? callsIn(*step.layer, method) : step.method.text == method) return true;
+    return false;
+}
+}  // namespace
+
+const Shape* Case::findShape(std::string_view name) const { return findByName(shapes, name); }
+const Body* Case::findBody(std::string_view name) const { return findByName(bodies, name); }
+const Component* Case::findMaterial(std::string_view name) const {
+    return findByName(materials, name);
+}
+const Component* Case::findMethod(std::string_view name) const {
+    return findByName(dynamics, name);
+}
+
+bool Case::calls(std::string_view method) const {
+    return callsIn(loop.start, method) || callsIn(loop.layer, method);
+}
+
+const std::vector<Contact>& Case::seenBy(std::string_view body) const {
+    static const std::vector<Contact> nothing;
+    for (const Sight& sight : topology)
+        if (sight.body.text == body) return sight.sees;
+    return nothing;
+}
+
+}  // namespace sphinx::model

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What happens to a case between the reading of its values and the model.
+
+#include "case/language/blocks.h"
+#include "input/declaration/reader.h"
+
+namespace sphinx::model {
+
+/// Checks every reference: the named thing exists and is of the wanted kind; and that bodies are of
+/// a material for their kind. One mistake is told once, however many references follow it.
+void checkNames(const CaseBlock& block, const input::Node& root, input::Reader& reader);
+
+/// Checks what several values say together; all names are right by now.
+void checkSense(const CaseBlock& block, const input::UnitSystem& units,
+                input::Diagnostics& diagnostics);
+
+/// Warns of definitions in the main file that nothing uses.
+void warnUnused(const CaseBlock& block, const input::Reader& reader);
+
+/// The model of a block without errors; shapes are made here, which may report more.
+Case makeModel(const CaseBlock& block, const input::UnitSystem& units,
+               input::Diagnostics& diagnostics);
+
+/// Words that a reference may ask of a body: its kind, its material's type and traits.
+std::vector<std::string> bodyTraits(BodyKind kind, const Component* material);
+
+/// "pressure_relaxation.first_half" as method and action.
+std::pair<std::string, std::string> splitAction(const std::string& text);
+
+}  // namespace sphinx::model

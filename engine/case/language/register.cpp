@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/language/register.h"
+
+#include "case/language/read.h"
+#include "dynamics/register.h"
+#include "io/register.h"
+#include "materials/register.h"
+#include "measure/register.h"
+#include "particles/register.h"
+
+namespace sphinx {
+
+void registerAll(input::Registry& registry) {
+    model::registerCaseLanguage(registry);
+    registerMaterials(registry);
+    registerDynamics(registry);
+    io::registerOutputs(registry);
+    io::registerMeasures(registry);
+    registerFields(registry);
+}
+
+}  // namespace sphinx

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/language/phases.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <set>
+
+namespace sphinx::model {
+namespace {
+
+using namespace input;
+
+class SenseCheck {
+ public:
+    SenseCheck(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics)
+        : block_(block), time_unit_(units.suffix(unit::time)), diagnostics_(diagnostics) {}
+
+    void run() {
+        if (block_.bodies.empty())
+            diagnostics_.error(block_.loop.layer.place, "the case has no bodies");
+        for (const NamedBody& body : block_.bodies) {
+            if (body.block.kind == BodyKind::observer)
+                checkObserver(body);
+            else
+                checkMaterialBody(body);
+            checkParts(body);
+        }
+        checkPeriodic();
+        checkTopology();
+        for (const Component& method : block_.dynamics) checkSight(method);
+        checkLayer(block_.loop);
+        checkSteps(block_.loop.start, "start");
+        for (const StepBlock& step : block_.loop.start) {
+            if (step.every)
+                diagnostics_.error(step.run.place, "start happens once: 'every' has no meaning");
+            if (step.window.limited())
+                diagnostics_.error(step.run.place, std::string("start happens once: '") +
+                                                       (step.window.from ? "from" : "until") +
+                                                       "' has no meaning");
+        }
+    }
+
+ private:
+    static const Place* given(const NamedBody& body, std::string_view key) {
+        for (const auto& [name, place] : body.given)
+            if (name == key) return &place;
+        return nullptr;
+    }
+    void refuse(const NamedBody& body, std::initializer_list<const char*> keys,
+                const std::string& why) {
+        for (const char* key : keys)
+            if (const Place* place = given(body, key))
+                diagnostics_.error(*place, std::string("'") + key + "' is for " + why);
+    }
+
+    void checkObserver(const NamedBody& body) {
+        refuse(body, {"shape", "material", "particles", "resolution", "initial", "parts"},
+               "fluids and solids; an observer has points, line or area");
+        const BodyBlock& b = body.block;
+        if (b.points.has_value() + b.line.has_value() + b.area.has_value() != 1)
+            diagnostics_.error(body.place, "the observer '" + body.name +
+                                               "' needs exactly one of points, line and area");
+        if (b.points && b.points->rows.empty())
+            diagnostics_.error(*given(body, "points"), "points is empty");
+        if (b.area) checkArea(body, *b.area);
+    }
+
+    void checkArea(const NamedBody& body, const AreaBlock& area) {
+        const std::size_t edges = block_.dimension == 2 ? 1 : 2;
+        if (area.edges.rows.size() != edges || area.points.size() != edges)
+            diagnostics_.error(*given(body, "area"),
+                               "an area in " + std::to_string(block_.dimension) + "D has " +
+                                   std::to_string(edges) + (edges == 1 ? " edge" : " edges") +
+                                   " and as many numbers of points");
+    }
+
+    void checkMaterialBody(const NamedBody& body) {
+        refuse(body, {"points", "line", "area", "follows"}, "observers");
+        const BodyBlock& b = body.block;
+        const bool fluid = b.kind == BodyKind::fluid;
+        if (b.material.empty())
+            diagnostics_.error(body.place, body.name + " lacks 'material': a " +
+                                               (fluid ? "fluid" : "solid") + " needs one");
+        if (b.shape.empty() && !b.particles)
+            diagnostics_.error(body.place, body.name + " lacks 'shape' (or 'particles')");
+        if (b.particles && b.particles->rows.empty())
+            diagnostics_.error(*given(body, "particles"), "particles is empty");
+        if (b.initial && b.initial->pressure && !fluid)
+            diagnostics_.error(*given(body, "initial"), "only a fluid has an initial pressure");
+    }
+
+    void checkParts(const NamedBody& body) {
+        if (body.block.shape.empty()) return;
+        for (const auto& [part, shape] : body.block.parts)
+            if (shape.text == body.block.shape.text)
+                diagnostics_.error(shape.place, "the part '" + part.text +
+                                                    "' is the whole body; name the body instead");
+    }
+
+    void checkPeriodic() {
+        const auto& domain = block_.domain;
+        if (!domain.periodic.empty() && !(domain.lower && domain.upper))
+            diagnostics_.error(domain.place,
+                               "a periodic domain needs 'lower' and 'upper': they are the period");
+    }
+
+    void checkTopology() {
+        for (const auto& [body, contacts] : block_.topology) {
+            std::set<std::string> seen;
+            for (const ContactBlock& contact : contacts) {
+                const bool self = contact.body.text == "self";
+                if (contact.body.text == body.text)
+                    diagnostics_.error(contact.body.place, "a body sees itself by the word self");
+                if (self && kindOf(body.text) == BodyKind::observer)
+                    diagnostics_.error(contact.body.place,
+                                       "an observer has nothing to see of itself");
+                checkPair(body, contact);
+                if (!seen.insert(contact.body.text).second)
+                    diagnostics_.error(
+                        contact.body.place,
+                        "'" + contact.body.text + "' is listed twice for " + body.text);
+            }
+        }
+    }
+    void checkPair(const Name& body, const ContactBlock& contact) {
+        if (contact.body.text == "self" || contact.body.text == body.text) return;
+        const BodyKind one = kindOf(body.text);
+        const BodyKind other = kindOf(contact.body.text);
+        if (one == BodyKind::fluid && other == BodyKind::fluid)
+            diagnostics_.error(contact.body.place,
+                               fmt::format("{} and {} are both fluids, which do not act on each "
+                                           "other: make them one body",
+                                           body.text, contact.body.text));
+        if (contact.bonded && (one != BodyKind::solid || other != BodyKind::solid))
+            diagnostics_.error(contact.body.place,
+                               fmt::format("only solids are bonded to each other: {} is a {}",
+                                           one != BodyKind::solid ? body.text : contact.body.text,
+                                           (one != BodyKind::solid ? one : other) == BodyKind::fluid
+                                               ? "fluid"
+                                               : "observer"));
+    }
+    /// Methods act on what topology lets a body see.
+    void checkSight(const Component& method) {
+        const std::string& type = method.declaration->name();
+        const Name body = bodyOf(method, "body");
+        if (body.text.empty()) return;
+        const bool sums = method.declaration->hasTrait("sums_over_itself");
+        if (sums && !sees(body.text, "self") && !sees(body.text, body.text))
+            diagnostics_.error(body.place,
+                               fmt::format("{} sums over the particles of {} itself: its "
+                                           "topology lacks 'self'",
+                                           type, body.text));
+        const Name from = bodyOf(method, "from");
+        if (!from.text.empty() && !sees(from.text, body.text))
+            diagnostics_.error(from.place,
+                               fmt::format("{} does not see {}: the topology of {} lacks "
+                                           "'{}'",
+                                           from.text, body.text, from.text, body.text));
+        if (type != "solid.stress_relaxation") return;
+        for (const Component& other : block_.dynamics) {
+            if (&other == &method) break;
+            const Name moved = bodyOf(other, "body");
+            if (other.declaration->name() == type && bonded(body.text, moved.text))
+                diagnostics_.error(
+                    body.place,
+                    fmt::format("{} and {} are bonded and both move: make them one body, or move "
+                                "one of them and keep the stress of the other by "
+                                "solid.stress_update",
+                                moved.text, body.text));
+        }
+    }
+    static Name bodyOf(const Component& method, std::string_view parameter) {
+        std::vector<Name> names;
+        if (const Parameter* p = method.declaration->parameter(parameter))
+            p->type->names(p->in(method.parameters.get()), names);
+        return names.size() == 1 ? names.front() : Name{};
+    }
+    bool sees(const std::string& body, const std::string& other) const {
+        for (const auto& [name, contacts] : block_.topology)
+            if (name.text == body)
+                for (const ContactBlock& contact : contacts)
+                    if (contact.body.text == other) return true;
+        return false;
+    }
+    bool bonded(const std::string& one, const std::string& other) const {
+        for (const auto& [name, contacts] : block_.topology)
+            for (const ContactBlock& contact : contacts)
+                if (contact.bonded && ((name.text == one && contact.body.text == other) ||
+                                       (name.text == other && contact.body.text == one)))
+                    return true;
+        return false;
+    }
+    BodyKind kindOf(const std::string& name) const {
+        for (const NamedBody& body : block_.bodies)
+            if (body.name == name) return body.block.kind;
+        return BodyKind::fluid;
+    }
+
+    void checkLayer(const LayerBlock& layer) {
+        if (!layers_.insert(layer.layer.text).second)
+            diagnostics_.error(layer.layer.place,
+                               "there are two layers '" + layer.layer.text + "'");
+        if (layer.steps.empty())
+            diagnostics_.error(layer.layer.place,
+                               "the layer '" + layer.layer.text + "' has no steps");
+        checkSteps(layer.steps, "");
+        for (const StepBlock& step : layer.steps)
+            if (step.layer)
+                checkLayer(*step.layer);
+            else {
+                checkWindow(step);
+                checkThroughout(step);
+            }
+    }
+    void checkThroughout(const StepBlock& step) {
+        const auto [name, action] = splitAction(step.run.text);
+        const std::string key = step.every ? "every" : step.window.from ? "from" : "until";
+        if (!step.every && !step.window.limited()) return;
+        for (const Component& method : block_.dynamics) {
+            if (method.name != name) continue;
+            const Declaration& declaration = *method.declaration;
+            const std::string& why =
+                declaration.actions()[declaration.actionIndex(action)].throughout();
+            if (!why.empty())
+                diagnostics_.error(step.run.place,
+                                   fmt::format("'{}' is not for {}: {}", key, step.run.text, why));
+        }
+    }
+    void checkWindow(const StepBlock& step) {
+        const double start = block_.loop.start_time;
+        if (step.window.from && *step.window.from < start)
+            diagnostics_.error(step.run.place,
+                               fmt::format("from is {0}{2} but must be at least start_time, {1}{2}",
+                                           *step.window.from, start, time_unit_));
+        if (step.window.until && *step.window.until <= start)
+            diagnostics_.error(
+                step.run.place,
+                fmt::format(
+                    "until is {0}{3} but must be above start_time, {1}{3}: {2} would never act",
+                    *step.window.until, start, step.run.text, time_unit_));
+    }
+    void checkSteps(const std::vector<StepBlock>& steps, const std::string& where) {
+        for (const StepBlock& step : steps) {
+            if (step.layer && !where.empty())
+                diagnostics_.error(step.layer->layer.place, "start has no layers");
+            if (step.every && step.every->by == Every::By::wall_time)
+                diagnostics_.error(step.run.place,
+                                   "wall_time is for outputs: the physics cannot depend on the "
+                                   "speed of the machine");
+        }
+    }
+
+    const CaseBlock& block_;
+    const std::string time_unit_;
+    Diagnostics& diagnostics_;
+    std::set<std::string> layers_;
+};
+
+}  // namespace
+
+void checkSense(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics) {
+    SenseCheck(block, units, diagnostics).run();
+}
+
+}  // namespace sphinx::model

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/body.h"
+#include "bodies/world.h"
+#include "geometry/shape.h"
+#include "input/declaration/component.h"
+#include "input/expressions/units.h"
+#include "loop/plan/window.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sphinx::model {
+
+using input::Component;
+using input::Coordinates;
+using input::Every;
+using input::FieldExpression;
+using input::Name;
+using input::Place;
+
+struct Resolution {
+    double spacing = 0;            ///< reference spacing dp, length
+    double smoothing_ratio = 1.3;  ///< h / dp
+    KernelType kernel = KernelType::wendland_c2;
+};
+
+struct Domain {
+    std::optional<Coordinates> lower, upper;  ///< without: the bounds of all shapes
+    std::vector<int> periodic;                ///< axes, 0 is x
+    LostParticles lost = LostParticles::stop;
+    Place place;  ///< without source: there was no such block
+};
+
+/// One entry of `geometry`; the pointer of the case's dimension is set.
+struct Shape {
+    std::string name;
+    Place place;
+    geometry::ShapePointer<2> shape2;
+    geometry::ShapePointer<3> shape3;
+
+    template <int Dim>
+    const geometry::ShapePointer<Dim>& as() const {
+        if constexpr (Dim == 2)
+            return shape2;
+        else
+            return shape3;
+    }
+};
+
+struct BodyResolution {
+    int level = 0;                          ///< spacing is the reference spacing / 2^level
+    std::optional<double> spacing;          ///< instead of the level, length
+    std::optional<double> smoothing_ratio;  ///< without: that of the case
+    std::optional<Coordinates> origin;      ///< a point that lattice lines (cell faces) meet
+};
+
+/// Initial values; what is missing stays zero.
+struct Initial {
+    std::optional<std::vector<FieldExpression>> velocity;
+    std::optional<FieldExpression> pressure;  ///< fluids: density and mass follow from it
+};
+
+struct Part {
+    std::string name;
+    Place place;
+    Name shape;  ///< the particles inside of it
+};
+
+enum class Follows { space, material };
+
+/// Particles given one by one instead of a lattice.
+struct DirectParticles {
+    std::vector<Coordinates> points;
+    std::vector<double> volumes;  ///< one per point
+};
+
+struct Body {
+    std::string name;
+    Place place;
+    BodyKind kind = BodyKind::fluid;
+    Name shape;     ///< empty for observers and bodies of direct particles
+    Name material;  ///< empty for observers
+    BodyResolution resolution;
+    Initial initial;
+    std::vector<Part> parts;
+    std::optional<DirectParticles> particles;  ///< without: a lattice in the shape
+    std::vector<Coordinates> points;           ///< observers: where they look
+    Follows follows = Follows::space;          ///< observers
+
+    double spacing(const Resolution& reference) const;
+    double smoothingRatio(const Resolution& reference) const;
+};
+
+/// One body that another sees.
+struct Contact {
+    Name body;            ///< the body itself for `self`
+    bool bonded = false;  ///< both are one piece of material
+};
+
+struct Sight {
+    Name body;
+    std::vector<Contact> sees;
+};
+
+enum class Fit { split, clip, overshoot };
+
+struct Layer;
+
+/// A line of the loop: a method's action, or a nested layer.
+struct Step {
+    Place place;
+    Name method;
+    std::string action;    ///< empty for the only action of a method
+    int action_index = 0;  ///< in the method's declaration
+    std::optional<Every> every;
+    loop::Window window;
+    std::shared_ptr<const Layer> layer;  ///< set: a nested layer, the rest is empty
+};
+
+struct Layer {
+    std::string name;
+    Place place;
+    std::vector<Name> dt_methods;  ///< the smallest estimate counts
+    std::optional<double> dt;      ///< a fixed step, time; counts with the estimates
+    Fit fit = Fit::split;          ///< how an inner layer covers its parent's step
+    std::vector<Step> steps;
+};
+
+struct Loop {
+    Place place;
+    double start_time = 0;
+    double end_time = 0;
+    std::vector<Step> start;  ///< once, before the first step
+    Layer layer;              ///< the outermost
+};
+
+struct Output : Component {
+    Every every;
+};
+
+/// A whole case as plain data: no particles. Entries stand in the order of the file.
+struct Case {
+    std::string path;
+    std::string title;
+    int dimension = 2;
+    input::UnitSystem units;
+    Resolution resolution;
+    Domain domain;
+    std::vector<Shape> shapes;
+    std::vector<Component> materials;
+    std::vector<Body> bodies;
+    std::vector<Sight> topology;
+    std::vector<Component> dynamics;
+    Loop loop;
+    std::vector<Output> outputs;
+
+    input::Node resolved;              ///< every value with its origin: what `show` prints
+    std::string warnings;              ///< ready to print; empty when there are none
+    std::vector<std::string> sources;  ///< the case file and those that it includes
+    /// Of the files that values name, by absolute path: their name and what tells their content.
+    std::map<std::string, std::string> files;
+
+    const Shape* findShape(std::string_view name) const;
+    const Body* findBody(std::string_view name) const;
+    const Component* findMaterial(std::string_view name) const;
+    const Component* findMethod(std::string_view name) const;
+    /// Whether a line of the loop, or the time step of a layer, names the method: no other acts.
+    bool calls(std::string_view method) const;
+    /// What the body sees; empty when topology does not name it.
+    const std::vector<Contact>& seenBy(std::string_view body) const;
+};
+
+/// Whether the body's material is an elastic solid.
+bool isElastic(const Case& model, const Body& body);
+
+}  // namespace sphinx::model

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/run/check.h"
+
+#include "case/build/loop.h"
+#include "case/build/loop_facts.h"
+#include "case/build/outputs.h"
+#include "case/build/world.h"
+#include "case/run/simulation.h"
+#include "materials/elastic_solid.h"
+#include "neighbors/neighbor_list.h"
+#include "neighbors/reference_list.h"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <system_error>
+
+namespace sphinx::model {
+namespace {
+
+std::string sizeText(double bytes) {
+    for (const char* name : {"B", "kB", "MB", "GB"}) {
+        if (bytes < 1000) return fmt::format("{:.3g} {}", bytes, name);
+        bytes /= 1000;
+    }
+    return fmt::format("{:.3g} TB", bytes);
+}
+
+/// Neighbors of a particle inside of a body, from the volume of the kernel's support.
+template <int Dim>
+double expectedNeighbors(const sphinx::Body<Dim>& from, const sphinx::Body<Dim>& to) {
+    const double r = std::max(from.kernel.cutoff(), to.kernel.cutoff()) / to.spacing;
+    return Dim == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r;
+}
+
+/// Particles, lists and the packed state of the acoustic step. Of other bodies than itself a body
+/// sees only what is near their common surface, which is left out.
+template <int Dim>
+double memory(const World<Dim>& world) {
+    double sum = 0;
+    for (const auto& body : world.bodies) {
+        const auto n = static_cast<double>(body->size());
+        sum += static_cast<double>(body->particles.bytes()) + 64 * n;
+        const bool elastic = dynamic_cast<const ElasticSolid*>(body->material.get()) != nullptr;
+        const std::size_t block =  // of eight: gradient, weight, indices
+            elastic
+                ? (Dim + 1) * sizeof(typename ReferenceList<Dim>::Lane) + lane_count * sizeof(Index)
+                : sizeof(typename NeighborList<Dim>::Block);
+        for (const auto* other : body->sees)
+            if (other == body.get())
+                sum += n * expectedNeighbors(*body, *other) * 1.25 / lane_count *
+                       static_cast<double>(block);
+    }
+    return sum;
+}
+
+void printLayer(const loop::LayerFacts& layer, const Layer& source, int depth,
+                const std::string& time_unit, std::string& out) {
+    const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+    std::string dt;
+    for (const loop::LineFacts& estimate : layer.dt)
+        dt += (dt.empty() ? "" : ", ") + estimate.label;
+    if (source.dt) dt += (dt.empty() ? "" : ", ") + fmt::format("{:g}{}", *source.dt, time_unit);
+    out += fmt::format("{}{} (dt: {})\n", indent, layer.name, dt);
+    for (std::size_t k = 0; k < layer.steps.size(); ++k) {
+        const auto& value = layer.steps[k].value;
+        if (const auto* inner = std::get_if<loop::LayerFacts>(&value)) {
+            printLayer(*inner, *source.steps[k].layer, depth + 1, time_unit, out);
+            continue;
+        }
+        const auto& line = std::get<loop::LineFacts>(value);
+        out += fmt::format("{}  {}{}", indent, line.label, line.sometimes ? " (sometimes)" : "");
+        if (line.window.limited()) out += fmt::format(" ({})", describe(line.window, time_unit));
+        out += '\n';
+    }
+}
+
+/// Writes of the whole run, with those at the start and at the end.
+std::optional<double> writes(const Case& model, const Every& every) {
+    const double span = model.loop.end_time - model.loop.start_time;
+    if (every.by == Every::By::time) return std::floor(span / every.time) + 2;
+    if (every.by == Every::By::ends) return 2;
+    return {};
+}
+
+std::string everyText(const Every& every) {
+    if (every.by == Every::By::steps)
+        return fmt::format("every {} steps{}", every.steps,
+                           every.layer.empty() ? "" : " of " + every.layer.text);
+    return fmt::format("every {:g} s on the clock on the wall", every.wall_seconds);
+}
+
+/// The outputs, how often they write and how much at most: the files are compressed, and what did
+/// not change is not written again.
+template <int Dim>
+std::string outputsText(const Case& model, const Outputs<Dim>& outputs,
+                        input::Diagnostics& diagnostics) {
+    std::string text = "outputs\n";
+    double sum = 0;
+    double most = 0;
+    Place place;  // of the output that writes most
+    for (std::size_t k = 0; k < model.outputs.size(); ++k) {
+        const Output& source = model.outputs[k];
+        double bytes = 0;
+        for (const OutputFile& file : outputs.entries()[k].output->files()) bytes += file.bytes;
+        const std::optional<double> times = writes(model, source.every);
+        text += fmt::format("  {} ({}): {}", source.name, source.declaration->name(),
+                            times ? fmt::format("{:.0f} times", *times) : everyText(source.every));
+        if (bytes > 0)
+            text += ", at most " + (times ? sizeText(*times * bytes) : sizeText(bytes) + " each");
+        text += '\n';
+        const double all = times.value_or(0) * bytes;
+        sum += all;
+        if (all > most) most = all, place = source.place;
+    }
+    std::error_code error;
+    const auto space = std::filesystem::space(".", error);
+    if (!error && sum > static_cast<double>(space.available))
+        diagnostics.warning(
+            place, fmt::format("the outputs may need {}, but the disk of this folder has {} left",
+                               sizeText(sum), sizeText(static_cast<double>(space.available))));
+    return text;
+}
+
+template <int Dim>
+CheckReport check(const Case& model) {
+    input::Diagnostics diagnostics;
+    const PlacedFacts placed = loopFacts(model);
+    checkLoop(placed, diagnostics);
+    const auto world = buildWorld<Dim>(model, true, diagnostics);
+    diagnostics.throwIfErrors();
+    Relations<Dim> relations(*world);
+    Context<Dim> context{*world, relations};
+    Methods<Dim> methods(model, context);
+    buildPlan<Dim>(model, placed.facts, *world, methods);
+    io::RestartHeader header;
+    header.case_name = caseName(model);
+    const Outputs<Dim> outputs(
+        {model, *world, relations, {}, {}, {}, methods.all(), header, {}, {}}, true);
+
+    std::string out = "bodies\n";
+    for (const auto& body : world->bodies)
+        out += fmt::format("  {}: {} particles, spacing {}, h {}\n", body->name, body->size(),
+                           world->quantityText(body->spacing, unit::length),
+                           world->quantityText(body->kernel.smoothingLength(), unit::length));
+    out += fmt::format("memory: about {}\n", sizeText(memory(*world)));
+    out += "loop\n";
+    for (const loop::LineFacts& line : placed.facts.start)
+        out += fmt::format("  start: {}\n", line.label);
+    printLayer(placed.facts.outermost, model.loop.layer, 1, placed.facts.time_unit, out);
+    out += outputsText(model, outputs, diagnostics);
+    return {model.warnings + diagnostics.text(), out};
+}
+
+}  // namespace
+
+CheckReport checkCase(const Case& model) {
+    return model.dimension == 2 ? check<2>(model) : check<3>(model);
+}
+
+}  // namespace sphinx::model

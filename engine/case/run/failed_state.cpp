@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/run/failed_state.h"
+
+namespace sphinx::model {
+
+template <int Dim>
+void writeFailedState(const World<Dim>& world, const Clock& clock,
+                      const io::VtuParameters& parameters) {
+    io::makeFolder(parameters.folder);
+    std::vector<io::BodyFrames<Dim>> frames;
+    for (const auto& body : world.bodies) {
+        if (body->kind == BodyKind::observer) continue;
+        io::BodyFrames<Dim> entry{body.get(), {}};
+        for (const auto& field : body->particles.all())
+            if (field->info().name != fields::position.name)
+                entry.fields.emplace_back(field->info().name);
+        frames.push_back(entry);
+    }
+    io::VtuOutput<Dim>(parameters, frames).write(clock);
+}
+
+template void writeFailedState(const World<2>&, const Clock&, const io::VtuParameters&);
+template void writeFailedState(const World<3>&, const Clock&, const io::VtuParameters&);
+
+}  // namespace sphinx::model

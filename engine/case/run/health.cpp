@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/run/health.h"
+
+#include "core/errors.h"
+#include "core/log.h"
+#include "core/parallel.h"
+#include "materials/elastic_solid.h"
+#include "materials/fluid.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+namespace sphinx::model {
+namespace {
+
+/// Above this part of the sound speed the density changes by more than a percent.
+constexpr double speed_limit = 0.1;
+constexpr double density_limit = 0.03;
+/// Often enough to find the place again, seldom enough to cost nothing.
+constexpr std::int64_t steps_between_places = 16;
+
+void collectWriters(const loop::LineFacts& line,
+                    std::map<std::pair<std::string, std::string>, std::string>& writers) {
+    for (const FieldAccess& access : line.accesses)
+        if (changes(access.mode)) writers[{access.body, access.field}] = line.label;
+}
+
+void collectWriters(const loop::LayerFacts& layer,
+                    std::map<std::pair<std::string, std::string>, std::string>& writers) {
+    for (const loop::StepFacts& step : layer.steps)
+        std::visit([&](const auto& value) { collectWriters(value, writers); }, step.value);
+}
+
+struct Extremes {
+    double speed2 = 0;
+    double density = 0;  // largest deviation from rho0
+    bool finite = true;
+};
+
+template <int Dim>
+bool moves(const sphinx::Body<Dim>& body) {
+    return dynamic_cast<const WeaklyCompressibleFluid*>(body.material.get()) ||
+           dynamic_cast<const ElasticSolid*>(body.material.get());
+}
+
+template <int Dim>
+Extremes extremes(sphinx::Body<Dim>& body) {
+    const auto& velocity = body.particles.vector(fields::velocity);
+    const auto& density = body.particles.scalar(fields::density);
+    const double rho0 = body.material->density();
+    return parallelReduce(
+        body.size(), Extremes{},
+        [&](std::size_t begin, std::size_t end) {
+            double speed2 = 0;
+            double deviation = 0;
+            double sum = 0;  // not finite as soon as one term is not
+            for (std::size_t i = begin; i < end; ++i) {
+                const double s = velocity[i].squaredNorm();
+                const double d = std::abs(density[i] - rho0);
+                sum += s + d;
+                speed2 = s > speed2 ? s : speed2;
+                deviation = d > deviation ? d : deviation;
+            }
+            return Extremes{speed2, deviation, std::isfinite(sum)};
+        },
+        [](const Extremes& a, const Extremes& b) {
+            return Extremes{std::max(a.speed2, b.speed2), std::max(a.density, b.density),
+                            a.finite && b.finite};
+        });
+}
+
+}  // namespace
+
+template <int Dim>
+Health<Dim>::Health(const World<Dim>& world, const loop::LoopFacts& facts) : world_(world) {
+    collectWriters(facts.outermost, last_writer_);
+    remember();
+}
+
+template <int Dim>
+void Health<Dim>::remember() {
+    for (const auto& body : world_.bodies) {
+        if (!moves(*body)) continue;
+        const auto& id = body->particles.id();
+        const auto& position = body->particles.position();
+        Last& last = last_[body->name];
+        last.ids.assign(id.data(), id.data() + body->size());
+        last.positions.assign(position.data(), position.data() + body->size());
+    }
+}
+
+template <int Dim>
+std::string Health<Dim>::lastPlace(const sphinx::Body<Dim>& body,
+                                   const std::vector<std::int64_t>& ids) const {
+    const Last& last = last_.at(body.name);
+    Box<Dim> box;
+    for (std::size_t i = 0; i < last.ids.size(); ++i)
+        if (std::binary_search(ids.begin(), ids.end(), last.ids[i])) box.include(last.positions[i]);
+    if (box.empty()) return "";
+    const std::string lower = world_.placeText(box.lower), upper = world_.placeText(box.upper);
+    return ids.size() == 1 ? fmt::format(", last seen at {},", lower)
+                           : fmt::format(", last seen between {} and {},", lower, upper);
+}
+
+template <int Dim>
+void Health<Dim>::check(const Clock& clock) {
+    for (const auto& body : world_.bodies) {
+        if (!moves(*body)) continue;
+        const Extremes e = extremes(*body);
+        if (!e.finite) fail(*body, clock);
+        const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(body->material.get());
+        if (!fluid) continue;
+        const double speed = std::sqrt(e.speed2);
+        if (speed > speed_limit * fluid->soundSpeed() && !warned_speed_[body->name]) {
+            warned_speed_[body->name] = true;
+            log::warning(fmt::format(
+                "time {}: {} moves at {:.3g}{}, more than a tenth of its sound speed {:.3g}{}; "
+                "raise sound_speed",
+                world_.quantityText(clock.time, unit::time), body->name, speed,
+                world_.units.suffix(unit::velocity), fluid->soundSpeed(),
+                world_.units.suffix(unit::velocity)));
+        }
+        const double rho0 = fluid->density();
+        if (e.density > density_limit * rho0 && !warned_density_[body->name]) {
+            warned_density_[body->name] = true;
+            log::warning(fmt::format(
+                "time {}: the density of {} is off by {:.1f} % (up to 3 % is normal)",
+                world_.quantityText(clock.time, unit::time), body->name, 100 * e.density / rho0));
+        }
+    }
+    if (clock.steps % steps_between_places == 0) remember();
+}
+
+template <int Dim>
+std::vector<std::int64_t> Health<Dim>::spoilt(const sphinx::Body<Dim>& body,
+                                              const FieldInfo& info) {
+    auto& particles = const_cast<ParticleSet<Dim>&>(body.particles);
+    FieldBase& field = particles.require(info);
+    const auto width = static_cast<std::size_t>(field.components());
+    std::vector<std::int64_t> ids;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const double* values = field.numbers() + i * width;
+        if (!std::all_of(values, values + width, [](double v) { return std::isfinite(v); }))
+            ids.push_back(particles.id()[i]);
+    }
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+template <int Dim>
+void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const {
+    // Particles spoil their neighbors: the field that fewest have lost is the closest to the cause.
+    const FieldInfo* info = &fields::density;
+    std::vector<std::int64_t> ids = spoilt(body, *info);
+    std::vector<std::int64_t> others = spoilt(body, fields::velocity);
+    if (ids.empty() || (!others.empty() && others.size() < ids.size())) {
+        info = &fields::velocity;
+        ids = std::move(others);
+    }
+    if (ids.empty())
+        throw PhysicsError(fmt::format("speeds of {} are too large to square at time {}", body.name,
+                                       world_.quantityText(clock.time, unit::time)));
+    const auto writer = last_writer_.find({body.name, std::string(info->name)});
+    throw PhysicsError(fmt::format(
+        "{} of {} of {}{} is not finite after {} at time {}; a smaller cfl{} may help", info->name,
+        ids.size() == 1 ? fmt::format("particle {}", ids.front())
+                        : fmt::format("{} of {} particles", ids.size(), body.size()),
+        body.name, lastPlace(body, ids), writer == last_writer_.end() ? "the step" : writer->second,
+        world_.quantityText(clock.time, unit::time),
+        body.kind == BodyKind::fluid ? " or a higher sound_speed" : ""));
+}
+
+template class Health<2>;
+template class Health<3>;
+
+}  // namespace sphinx::model

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "case/model/model.h"
+
+#include <optional>
+#include <string>
+
+namespace sphinx::model {
+
+struct RunOptions {
+    std::string output;  ///< results folder; empty: output/NAME below the present folder
+    int threads = 0;     ///< 0: all of the machine
+    bool overwrite = false;
+    bool resume = false;               ///< go on from the newest valid restart in the folder
+    std::string restart;               ///< go on from this restart file
+    std::optional<double> time_limit;  ///< seconds of wall clock, then a restart is written
+    bool outputs = true;               ///< false: nothing but the log is written
+};
+
+/// "dam_break_2d" for cases/dam_break_2d/case.yaml, else the name of the file.
+std::string caseName(const Case& model);
+
+/// Runs a case; returns the exit code: 0, or 128 + the signal that stopped it after a restart was
+/// written. Throws CaseError, PhysicsError, FileError.
+int runCase(const Case& model, const RunOptions& options);
+
+}  // namespace sphinx::model

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input/declaration/declaration.h"
+
+namespace sphinx::input {
+
+/// A named entry of a case that chose its `type` from the registry, with its parameters.
+struct Component {
+    std::string name;                          ///< its key in the block
+    Place place;                               ///< of that key
+    const Declaration* declaration = nullptr;  ///< never null once read
+    std::shared_ptr<const void> parameters;    ///< of declaration->parametersType()
+    std::vector<std::pair<std::string, Place>> parameter_places;  ///< of those given
+
+    template <class P>
+    const P& as() const {
+        assert(declaration->parametersType() == typeid(P));
+        return *static_cast<const P*>(parameters.get());
+    }
+    /// Where the parameter was given, or the place of the entry when it is a default.
+    Place placeOf(std::string_view parameter) const {
+        for (const auto& [name, given] : parameter_places)
+            if (name == parameter) return given;
+        return place;
+    }
+};
+
+}  // namespace sphinx::input

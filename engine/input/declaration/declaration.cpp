@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "input/declaration/declaration.h"
+
+#include <algorithm>
+
+namespace sphinx::input {
+
+const char* kindName(Kind kind) {
+    switch (kind) {
+        case Kind::block: return "block";
+        case Kind::shape: return "shape";
+        case Kind::kernel: return "kernel";
+        case Kind::material: return "material";
+        case Kind::dynamics: return "dynamics";
+        case Kind::output: return "output";
+        case Kind::field: return "field";
+    }
+    return "";
+}
+
+Action& Action::reads(const std::string& owner, std::initializer_list<std::string_view> fields) {
+    for (std::string_view field : fields)
+        accesses_.push_back({AccessMode::read, owner, std::string(field)});
+    return *this;
+}
+
+Action& Action::writes(const std::string& owner, std::initializer_list<std::string_view> fields) {
+    for (std::string_view field : fields)
+        accesses_.push_back({AccessMode::write, owner, std::string(field)});
+    return *this;
+}
+
+Action& Action::accumulates(const std::string& owner,
+                            std::initializer_list<std::string_view> fields) {
+    for (std::string_view field : fields)
+        accesses_.push_back({AccessMode::accumulate, owner, std::string(field)});
+    return *this;
+}
+
+Action& Action::releases(const std::string& owner, std::initializer_list<std::string_view> fields) {
+    for (std::string_view field : fields)
+        accesses_.push_back({AccessMode::release, owner, std::string(field)});
+    return *this;
+}
+
+Action& Action::opens(const std::string& owner, const std::string& span) {
+    accesses_.push_back({AccessMode::open, owner, span});
+    return *this;
+}
+
+Action& Action::closes(const std::string& owner, const std::string& span) {
+    accesses_.push_back({AccessMode::close, owner, span});
+    return *this;
+}
+
+Action& Action::within(const std::string& owner, const std::string& span) {
+    accesses_.push_back({AccessMode::within, owner, span});
+    return *this;
+}
+
+Action& Action::throughout(std::string why) {
+    throughout_ = std::move(why);
+    return *this;
+}
+
+bool Declaration::hasTrait(std::string_view trait) const {
+    return std::find(traits_.begin(), traits_.end(), trait) != traits_.end();
+}
+
+const Parameter* Declaration::parameter(std::string_view name) const {
+    for (const Parameter& p : parameters_)
+        if (p.name == name) return &p;
+    return nullptr;
+}
+
+int Declaration::actionIndex(std::string_view name) const {
+    for (std::size_t k = 0; k < actions_.size(); ++k)
+        if (actions_[k].name() == name) return static_cast<int>(k);
+    return -1;
+}
+
+void Declaration::add(Parameter added) {
+    assert(!parameter(added.name) && "parameter declared twice");
+    parameters_.push_back(std::move(added));
+}
+
+}  // namespace sphinx::input

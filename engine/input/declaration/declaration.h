@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input/expressions/units.h"
+#include "input/types/type.h"
+
+#include <any>
+#include <cassert>
+#include <deque>
+#include <functional>
+#include <type_traits>
+#include <typeinfo>
+
+namespace sphinx::input {
+
+/// What kind of thing a declaration is about. Blocks are the fixed parts of the language.
+enum class Kind { block, shape, kernel, material, dynamics, output, field };
+const char* kindName(Kind kind);
+inline constexpr std::array all_kinds{Kind::block,    Kind::shape,  Kind::kernel, Kind::material,
+                                      Kind::dynamics, Kind::output, Kind::field};
+
+/// How an action uses a field; accumulate adds to a value that the layer zeroes first, release sets
+/// what it has written to zero when the window of its line is over. The last three are about a span
+/// of the loop instead ("step", "mean"): one action opens it, another closes it in turn, others
+/// belong within.
+enum class AccessMode { read, write, accumulate, release, open, close, within };
+
+/// A field of the bodies that `owner` stands for: a parameter that refers to bodies or parts
+/// ("body", "from", "bodies"), or "neighbors", the bodies that the first such parameter sees in
+/// `topology`, or only those of a trait: "neighbors.fluid", "neighbors.solid"; or "bonded", those
+/// that are bonded to it.
+struct Access {
+    AccessMode mode;
+    std::string owner;
+    std::string field;  ///< of particles/fields.h, a pseudo field of dynamics/dynamics.h, or a span
+};
+
+/// Something that a loop line can call.
+class Action {
+ public:
+    Action(std::string name, std::string doc) : name_(std::move(name)), doc_(std::move(doc)) {}
+    Action& reads(const std::string& owner, std::initializer_list<std::string_view> fields);
+    Action& writes(const std::string& owner, std::initializer_list<std::string_view> fields);
+    Action& accumulates(const std::string& owner, std::initializer_list<std::string_view> fields);
+    Action& releases(const std::string& owner, std::initializer_list<std::string_view> fields);
+    Action& opens(const std::string& owner, const std::string& span);
+    Action& closes(const std::string& owner, const std::string& span);
+    Action& within(const std::string& owner, const std::string& span);
+    /// The method has an effect on its body that is there without being called: a line that calls
+    /// it has no every, from or until. `why`: the reason and the way out.
+    Action& throughout(std::string why);
+
+    const std::string& name() const { return name_; }  ///< empty: the method's only one
+    const std::string& doc() const { return doc_; }
+    const std::vector<Access>& accesses() const { return accesses_; }
+    const std::string& throughout() const { return throughout_; }  ///< empty: it may act at times
+
+ private:
+    std::string name_;
+    std::string doc_;
+    std::string throughout_;
+    std::vector<Access> accesses_;
+};
+
+/// One parameter of a declaration, without the C++ type of its struct.
+struct Parameter {
+    std::string name;  ///< empty: the declaration is written as this bare value, not as a map
+    bool required = false;
+    std::shared_ptr<const TypeBase> type;
+    std::string doc;
+    std::function<void*(void*)> member;  ///< address of the value in the parameter struct
+
+    const void* in(const void* parameters) const { return member(const_cast<void*>(parameters)); }
+};
+
+/// The one place that says what a component or block is; validation, `describe`, `list`, the JSON
+/// Schema, the reference page, `show` and the check of the loop read it.
+class Declaration {
+ public:
+    virtual ~Declaration() = default;
+
+    Kind kind() const { return kind_; }
+    const std::string& name() const { return name_; }
+    const std::string& summary() const { return summary_; }
+    const std::string& formula() const { return formula_; }
+    const std::string& citation() const { return citation_; }
+    const std::vector<std::string>& traits() const { return traits_; }
+    bool hasTrait(std::string_view trait) const;
+
+    const std::deque<Parameter>& parameters() const { return parameters_; }
+    const Parameter* parameter(std::string_view name) const;
+    bool bare() const { return parameters_.size() == 1 && parameters_.front().name.empty(); }
+
+    /// Empty for a declaration without actions (materials, outputs, blocks).
+    const std::deque<Action>& actions() const { return actions_; }
+    /// Index of the action of that name, or -1.
+    int actionIndex(std::string_view name) const;
+    bool isTimeStep() const { return is_time_step_; }
+
+    /// What the owner of the kind attached (dynamics: the factories for 2D and 3D). T must be the
+    /// exact type of what was given to builder().
+    template <class T>
+    const T& builder() const {
+        const T* attached = std::any_cast<T>(&builder_);
+        assert(attached && "no builder of this type is attached to the declaration");
+        return *attached;
+    }
+
+    const std::type_info& parametersType() const { return *type_; }
+    std::shared_ptr<void> makeParameters() const { return make_(); }
+
+    /// A rule across parameters: `violated` returns what is wrong or an empty text; the message
+    /// is placed at that parameter.
+    struct Rule {
+        std::string parameter;
+        std::function<std::string(const void*, const UnitSystem&)> violated;
+    };
+    const std::vector<Rule>& rules() const { return rules_; }
+
+ protected:
+    Declaration(Kind kind, std::string name, const std::type_info& type,
+                std::function<std::shared_ptr<void>()> make)
+        : kind_(kind), name_(std::move(name)), type_(&type), make_(std::move(make)) {}
+    void add(Parameter parameter);
+
+    Kind kind_;
+    std::string name_;
+    std::string summary_;
+    std::string formula_;
+    std::string citation_;
+    std::vector<std::string> traits_;
+    std::deque<Parameter> parameters_;
+    std::deque<Action> actions_;
+    std::vector<Rule> rules_;
+    bool is_time_step_ = false;
+    std::any builder_;
+    const std::type_info* type_;
+    std::function<std::shared_ptr<void>()> make_;
+};
+
+/// A declaration with the parameter struct P; defaults are those of P{}.
+template <class P>
+class Declared final : public Declaration {
+ public:
+    Declared(Kind kind, std::string name)
+        : Declaration(kind, std::move(name), typeid(P), [] { return std::make_shared<P>(); }) {}
+
+    Declared& summary(std::string text) { return summary_ = std::move(text), *this; }
+    Declared& formula(std::string text) { return formula_ = std::move(text), *this; }
+    Declared& citation(std::string text) { return citation_ = std::move(text), *this; }
+    /// A property that references may ask for, such as "elastic". Of methods: "sums_over_itself"
+    /// (its body must see itself), "permutes" (it reorders particles) and "removes" (it takes
+    /// particles out of fluids where the domain says so).
+    Declared& trait(std::string name) { return traits_.push_back(std::move(name)), *this; }
+
+    template <class T, class Q>
+    Declared& required(std::string name, T Q::*member, std::type_identity_t<Type<T>> type,
+                       std::string doc) {
+        return parameter(std::move(name), true, member, type.base(), std::move(doc));
+    }
+    template <class T, class Q>
+    Declared& optional(std::string name, T Q::*member, std::type_identity_t<Type<T>> type,
+                       std::string doc) {
+        return parameter(std::move(name), false, member, type.base(), std::move(doc));
+    }
+    /// Without a value when the key is missing.
+    template <class T, class Q>
+    Declared& optional(std::string name, std::optional<T> Q::*member,
+                       std::type_identity_t<Type<T>> type, std::string doc) {
+        return parameter(std::move(name), false, member, input::optional(type).base(),
+                         std::move(doc));
+    }
+    /// The value itself stands where others have a map of parameters: {union: [a, b]}.
+    template <class T, class Q>
+    Declared& bareValue(T Q::*member, std::type_identity_t<Type<T>> type, std::string doc) {
+        return parameter("", true, member, type.base(), std::move(doc));
+    }
+
+    /// `violated` takes the parameters and, where its message has numbers with a unit, the units.
+    template <class Violated>
+    Declared& check(std::string parameter, Violated violated) {
+        const auto call = [violated](const void* parameters,
+                                     [[maybe_unused]] const UnitSystem& units) -> std::string {
+            const P& p = *static_cast<const P*>(parameters);
+            if constexpr (std::is_invocable_v<Violated, const P&, const UnitSystem&>)
+                return violated(p, units);
+            else
+                return violated(p);
+        };
+        rules_.push_back({std::move(parameter), call});
+        return *this;
+    }
+
+    /// An action that loop lines call as METHOD.NAME; a method with one action gives it no name.
+    Action& action(std::string name, std::string doc) {
+        return actions_.emplace_back(std::move(name), std::move(doc));
+    }
+    /// Marks a method that a layer's `dt` names; the accesses are those of its estimate.
+    Action& timeStep(std::string doc) {
+        is_time_step_ = true;
+        return actions_.emplace_back("", std::move(doc));
+    }
+    template <class T>
+    Declared& builder(T payload) {
+        return builder_ = std::move(payload), *this;
+    }
+    using Declaration::builder;
+    using Declaration::citation;
+    using Declaration::formula;
+    using Declaration::parameter;
+    using Declaration::summary;
+
+ private:
+    template <class T, class Q>
+    Declared& parameter(std::string name, bool required, T Q::*member,
+                        std::shared_ptr<const TypeBase> type, std::string doc) {
+        add({std::move(name), required, std::move(type), std::move(doc),
+             [member](void* p) -> void* { return &(static_cast<P*>(p)->*member); }});
+        return *this;
+    }
+};
+
+}  // namespace sphinx::input

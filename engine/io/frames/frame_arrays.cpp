@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "io/frames/frame_arrays.h"
+
+#include "core/errors.h"
+#include "core/parallel.h"
+#include "io/file/compress.h"
+#include "io/file/number_text.h"
+
+#include <algorithm>
+
+namespace sphinx::io {
+namespace {
+
+/// For each component of the file: the component in memory, or -1 for a zero.
+template <int Dim>
+std::vector<int> componentMap(Rank rank, FieldLayout layout) {
+    const int width = layout == FieldLayout::padded ? 3 : Dim;
+    std::vector<int> map;
+    if (rank == Rank::vector)
+        for (int k = 0; k < width; ++k) map.push_back(k < Dim ? k : -1);
+    if (rank == Rank::matrix)
+        for (int row = 0; row < width; ++row)
+            for (int column = 0; column < width; ++column)
+                map.push_back(row < Dim && column < Dim ? column * Dim + row : -1);
+    if (map.empty()) map.push_back(0);
+    return map;
+}
+
+template <class T>
+void convert(const double* from, int stride, const std::vector<int>& map, std::size_t particles,
+             T* to) {
+    const std::size_t width = map.size();
+    parallelRanges(particles, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const double* source = from + i * static_cast<std::size_t>(stride);
+            for (std::size_t c = 0; c < width; ++c)
+                to[i * width + c] = map[c] < 0 ? T{0} : static_cast<T>(source[map[c]]);
+        }
+    });
+}
+
+bool unchangedOrder(const std::vector<int>& map) {
+    for (std::size_t c = 0; c < map.size(); ++c)
+        if (map[c] != static_cast<int>(c)) return false;
+    return true;
+}
+
+std::string_view rawBytes(FieldBase& field, std::size_t particles) {
+    const void* data = field.info().rank == Rank::integer ? static_cast<void*>(field.integers())
+                                                          : static_cast<void*>(field.numbers());
+    const std::size_t bytes = particles * static_cast<std::size_t>(field.components()) * 8;
+    return bytes == 0 ? std::string_view()
+                      : std::string_view(static_cast<const char*>(data), bytes);
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<FieldBase*> frameFields(const BodyFrames<Dim>& frames) {
+    const ParticleSet<Dim>& particles = frames.body->particles;
+    std::vector<FieldBase*> result{particles.find(fields::id.name)};
+    if (FieldBase* mass = particles.find(fields::mass.name)) result.push_back(mass);
+    for (const std::string& name : frames.fields) {
+        FieldBase* field = particles.find(name);
+        if (!field) throw CaseError("body '" + frames.body->name + "' has no field '" + name + "'");
+        if (name != fields::position.name &&
+            std::find(result.begin(), result.end(), field) == result.end())
+            result.push_back(field);
+    }
+    return result;
+}
+
+template <int Dim>
+int componentsOf(Rank rank, FieldLayout layout) {
+    return static_cast<int>(componentMap<Dim>(rank, layout).size());
+}
+
+double frameBytes(const std::vector<FieldBase*>& fields, std::size_t particles, double number) {
+    double numbers = 0;
+    for (const FieldBase* field : fields) numbers += field->components();
+    return numbers * number * static_cast<double>(particles);
+}
+
+template <int Dim>
+ArrayView ArrayGatherer<Dim>::gather(FieldBase& field, std::size_t particles) {
+    ArrayView view;
+    view.name = field.info().name;
+    if (field.info().rank == Rank::integer) {
+        view.type = NumberType::int64;
+        view.bytes = rawBytes(field, particles);
+        return view;
+    }
+    const std::vector<int> map = componentMap<Dim>(field.info().rank, layout_);
+    view.components = static_cast<int>(map.size());
+    if (!single_precision_ && field.components() == view.components && unchangedOrder(map)) {
+        view.bytes = rawBytes(field, particles);
+        return view;
+    }
+    view.type = single_precision_ ? NumberType::float32 : NumberType::float64;
+    buffer_.resize(particles * map.size() * bytesOf(view.type));
+    void* target = buffer_.data();
+    if (single_precision_)
+        convert(field.numbers(), field.components(), map, particles, static_cast<float*>(target));
+    else
+        convert(field.numbers(), field.components(), map, particles, static_cast<double*>(target));
+    view.bytes = {buffer_.data(), buffer_.size()};
+    return view;
+}
+
+std::uint64_t fieldFingerprint(FieldBase& field, std::size_t particles) {
+    return fingerprint(rawBytes(field, particles));
+}
+
+std::string frameName(std::string_view body, std::int64_t frame, std::string_view extension) {
+    std::string number = std::to_string(frame);
+    if (number.size() < 6) number.insert(0, 6 - number.size(), '0');
+    return std::string(body) + "_" + number + std::string(extension);
+}
+
+std::int64_t frameNumber(std::string_view name, std::string_view body, std::string_view extension) {
+    const std::size_t around = body.size() + 1 + extension.size();
+    if (name.size() < around + 6 || !name.starts_with(body) || name[body.size()] != '_' ||
+        !name.ends_with(extension))
+        return -1;
+    const std::string_view digits = name.substr(body.size() + 1, name.size() - around);
+    if (digits.find_first_not_of("0123456789") != digits.npos) return -1;
+    return parseInteger(digits).value_or(-1);
+}
+
+void removeFramesFrom(const Path& folder, std::string_view body, std::string_view extension,
+                      std::int64_t first) {
+    std::error_code error;
+    std::vector<Path> beyond;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        std::string name = entry.path().filename().string();
+        const std::string unfinished = temporaryName("").string();
+        const bool complete = !name.ends_with(unfinished);
+        if (!complete) name.resize(name.size() - unfinished.size());
+        const std::int64_t number = frameNumber(name, body, extension);
+        if (number >= (complete ? first : 0)) beyond.push_back(entry.path());
+    }
+    for (const Path& path : beyond) removeFile(path);
+}
+
+template std::vector<FieldBase*> frameFields(const BodyFrames<2>&);
+template std::vector<FieldBase*> frameFields(const BodyFrames<3>&);
+template int componentsOf<2>(Rank, FieldLayout);
+template int componentsOf<3>(Rank, FieldLayout);
+template class ArrayGatherer<2>;
+template class ArrayGatherer<3>;
+
+}  // namespace sphinx::io

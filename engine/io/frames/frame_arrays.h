@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/body.h"
+#include "io/file/file.h"
+#include "io/file/number_type.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sphinx::io {
+
+/// A body and the names of the fields that its frames hold. Every frame has position and id, and
+/// mass where the body has one, named or not.
+template <int Dim>
+struct BodyFrames {
+    const Body<Dim>* body = nullptr;
+    std::vector<std::string> fields;
+};
+
+/// The fields of a frame besides the position, each once: id, mass, then the named ones.
+/// Throws CaseError for a name that the body has no field of.
+template <int Dim>
+std::vector<FieldBase*> frameFields(const BodyFrames<Dim>& frames);
+
+/// Values of one field as a file wants them.
+struct ArrayView {
+    std::string_view name;
+    NumberType type = NumberType::float64;
+    int components = 1;
+    std::string_view bytes;  ///< components() values per particle, little endian
+};
+
+/// How vectors and matrices are laid out.
+enum class FieldLayout {
+    plain,   ///< Dim components, Dim x Dim row by row
+    padded,  ///< 3 components, 3 x 3 row by row; zeros where 2D has nothing (as VTK wants them)
+};
+
+/// Brings fields into the layout of a file. The view is valid until the next call.
+template <int Dim>
+class ArrayGatherer {
+ public:
+    ArrayGatherer(FieldLayout layout, bool single_precision)
+        : layout_(layout), single_precision_(single_precision) {}
+
+    ArrayView gather(FieldBase& field, std::size_t particles);
+
+ private:
+    FieldLayout layout_;
+    bool single_precision_;
+    AlignedVector<char> buffer_;
+};
+
+/// Components of a field in that layout.
+template <int Dim>
+int componentsOf(Rank rank, FieldLayout layout);
+
+/// Bytes of a frame of these fields, with so many bytes a number.
+double frameBytes(const std::vector<FieldBase*>& fields, std::size_t particles, double number);
+
+/// Bytes of the field as it lies in memory, to tell whether it changed.
+std::uint64_t fieldFingerprint(FieldBase& field, std::size_t particles);
+
+/// "water_000012.vtu"
+std::string frameName(std::string_view body, std::int64_t frame, std::string_view extension);
+/// Frame number of a name made by frameName, or -1.
+std::int64_t frameNumber(std::string_view name, std::string_view body, std::string_view extension);
+/// Removes the frames of a body with this number or a later one, and what was left unfinished.
+void removeFramesFrom(const Path& folder, std::string_view body, std::string_view extension,
+                      std::int64_t first);
+
+}  // namespace sphinx::io

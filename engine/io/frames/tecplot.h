@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/output.h"
+#include "io/file/provenance.h"
+#include "io/frames/frame_arrays.h"
+#include "io/output/unit_text.h"
+
+namespace sphinx::io {
+
+struct TecplotParameters {
+    Path folder;
+    input::UnitSystem units;
+    Provenance provenance;
+};
+
+/// Frames as Tecplot ASCII: one BODY_NNNNNN.dat a frame, with one zone in POINT format that carries
+/// SOLUTIONTIME and the STRANDID of the body, so that Tecplot joins the files to a time series.
+/// One file a frame, because a zone cut short by a crash would spoil all zones in its file.
+/// A body without particles has no frame: the format has no empty zones. (ParaView reads the other
+/// formats better: its Tecplot reader takes no one-dimensional zones.)
+template <int Dim>
+class TecplotOutput final : public Output {
+ public:
+    TecplotOutput(TecplotParameters parameters, const std::vector<BodyFrames<Dim>>& bodies);
+
+    std::vector<OutputFile> files() const override;
+    void write(const Clock& clock) override;
+    void transfer(Archive& archive) override { archive.value("frames", frames_); }
+    void resume(const Clock& clock) override;
+
+ private:
+    struct Series {
+        const Body<Dim>* body = nullptr;
+        std::vector<FieldBase*> fields;  // position first
+        std::string variables;
+    };
+
+    TecplotParameters parameters_;
+    std::vector<Series> series_;
+    std::int64_t frames_ = 0;
+};
+
+}  // namespace sphinx::io

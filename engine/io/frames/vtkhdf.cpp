@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "io/frames/vtkhdf.h"
+
+#include "io/frames/vtkhdf_layout.h"
+#include "io/hdf5/results_file.h"
+
+#include <bit>
+#include <sstream>
+
+namespace sphinx::io {
+
+using namespace hdf5;
+
+/// The file of one body and what was written to it last.
+template <int Dim>
+class VtkHdfOutput<Dim>::Series {
+ public:
+    Series(const VtkHdfParameters& parameters, const BodyFrames<Dim>& frames)
+        : parameters_(parameters),
+          gatherer_(FieldLayout::padded, parameters.single_precision),
+          body_(frames.body),
+          path_(parameters.folder / (frames.body->name + ".vtkhdf")) {
+        members_.push_back({frames.body->particles.find(fields::position.name)});
+        for (FieldBase* field : frameFields(frames)) members_.push_back({field});
+    }
+
+    void write(const Clock& clock, std::int64_t frame) {
+        if (!file_) create();
+        VtkHdfStep step;
+        step.time = clock.time;
+        step.frame = frame;
+        const std::size_t particles = body_->size();
+        step.part = layout_->part(*file_, particles);
+        for (std::size_t m = 0; m < members_.size(); ++m) {
+            Member& member = members_[m];
+            const std::uint64_t now = fieldFingerprint(*member.field, particles);
+            if (member.row < 0 || now != member.fingerprint) {
+                const std::string_view rows = gatherer_.gather(*member.field, particles).bytes;
+                member.row = layout_->append(*file_, m, rows);
+                member.fingerprint = now;
+            }
+            step.rows.push_back(member.row);
+        }
+        layout_->addStep(step);
+        commit(*file_, layout_->root(), true);
+    }
+
+    void resume(const Clock& clock, std::int64_t frames) {
+        if (!isThere(path_)) return;
+        makeLayout();
+        if (!layout_->load(path_, frames)) {
+            layout_.reset();
+            setAside(path_, clock.steps);
+            return;
+        }
+        file_ = SafeFile::open(path_);
+        commit(*file_, layout_->root(), true);
+        const VtkHdfStep& last = layout_->lastStep();
+        // The fingerprints are those of the last frame before the restart.
+        if (last.frame == frames - 1)
+            for (std::size_t m = 0; m < last.rows.size(); ++m)
+                if (members_[m].fingerprint_known) members_[m].row = last.rows[m];
+    }
+
+    const std::string& name() const { return body_->name; }
+
+    OutputFile file() const {
+        std::vector<FieldBase*> fields;
+        for (const Member& member : members_) fields.push_back(member.field);
+        return {path_.filename().string(),
+                frameBytes(fields, body_->size(), parameters_.single_precision ? 4 : 8)};
+    }
+
+    void transfer(Archive& archive) {
+        // A resumed run may write other fields, and an archive cannot be asked what it has.
+        std::string names;
+        for (const Member& member : members_)
+            names += std::string(member.field->info().name) + "\n";
+        archive.value("fields", names);
+        std::istringstream saved(names);
+        for (std::string name; std::getline(saved, name);)
+            for (Member& member : members_)
+                if (member.field->info().name == name) {
+                    auto bits = std::bit_cast<std::int64_t>(member.fingerprint);
+                    archive.value(name, bits);
+                    member.fingerprint = std::bit_cast<std::uint64_t>(bits);
+                    member.fingerprint_known = true;
+                }
+    }
+
+ private:
+    struct Member {
+        FieldBase* field;
+        std::uint64_t fingerprint = 0;
+        std::int64_t row = -1;           // where it was written last, -1: nowhere
+        bool fingerprint_known = false;  // from the run that this one goes on with
+    };
+
+    void create() {
+        makeLayout();
+        file_ = SafeFile::create(path_);
+    }
+
+    void makeLayout() {
+        std::vector<VtkHdfArray> arrays;
+        for (const Member& member : members_) {
+            const FieldInfo& info = member.field->info();
+            VtkHdfArray array;
+            array.name = info.name;
+            array.type = info.rank == Rank::integer     ? Number::int64
+                         : parameters_.single_precision ? Number::float32
+                                                        : Number::float64;
+            array.components = componentsOf<Dim>(info.rank, FieldLayout::padded);
+            array.attributes = {{"unit", unitText(info.unit, parameters_.units)},
+                                {"description", std::string(info.doc)}};
+            arrays.push_back(std::move(array));
+        }
+        layout_ = std::make_unique<VtkHdfLayout>(std::move(arrays), body_->size());
+        layout_->root().setAttributes(attributesOf(parameters_.provenance));
+    }
+
+    const VtkHdfParameters& parameters_;
+    ArrayGatherer<Dim> gatherer_;
+    const Body<Dim>* body_;
+    Path path_;
+    std::vector<Member> members_;  // the first one is the position
+    std::optional<SafeFile> file_;
+    std::unique_ptr<VtkHdfLayout> layout_;
+};
+
+template <int Dim>
+VtkHdfOutput<Dim>::VtkHdfOutput(VtkHdfParameters parameters, std::vector<BodyFrames<Dim>> bodies)
+    : parameters_(std::move(parameters)) {
+    for (const BodyFrames<Dim>& frames : bodies)
+        series_.push_back(std::make_unique<Series>(parameters_, frames));
+}
+
+template <int Dim>
+VtkHdfOutput<Dim>::~VtkHdfOutput() = default;
+
+template <int Dim>
+std::vector<OutputFile> VtkHdfOutput<Dim>::files() const {
+    std::vector<OutputFile> files;
+    for (const auto& series : series_) files.push_back(series->file());
+    return files;
+}
+
+template <int Dim>
+void VtkHdfOutput<Dim>::write(const Clock& clock) {
+    for (auto& series : series_) series->write(clock, frames_);
+    ++frames_;
+}
+
+template <int Dim>
+void VtkHdfOutput<Dim>::transfer(Archive& archive) {
+    archive.value("frames", frames_);
+    std::string names;
+    for (const auto& series : series_) names += series->name() + "\n";
+    archive.value("bodies", names);
+    std::istringstream saved(names);
+    for (std::string name; std::getline(saved, name);)
+        for (auto& series : series_)
+            if (series->name() == name) {
+                const Section section(archive, name);
+                series->transfer(archive);
+            }
+}
+
+template <int Dim>
+void VtkHdfOutput<Dim>::resume(const Clock& clock) {
+    for (auto& series : series_) series->resume(clock, frames_);
+}
+
+template class VtkHdfOutput<2>;
+template class VtkHdfOutput<3>;
+
+}  // namespace sphinx::io

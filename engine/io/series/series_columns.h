@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "io/series/series_quantity.h"
+#include "particles/field.h"
+
+#include <string>
+#include <vector>
+
+namespace sphinx::io {
+
+/// "x", "y" (and "z") of a vector, "xx", "xy", ... row by row of a matrix, none of a scalar.
+template <int Dim>
+std::vector<std::string> componentLabels(Rank rank);
+
+/// Labels of values at several points, numbered from 0: "3" or "3_x"; at a single point those of
+/// the components alone.
+std::vector<std::string> pointLabels(std::size_t points,
+                                     const std::vector<std::string>& components);
+
+}  // namespace sphinx::io

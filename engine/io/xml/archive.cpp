@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "io/xml/archive.h"
+
+#include "core/errors.h"
+#include "io/file/base64.h"
+#include "io/file/number_text.h"
+#include "io/xml/text.h"
+
+#include <variant>
+
+namespace sphinx::io {
+namespace {
+
+constexpr std::size_t longest_text = std::size_t{1} << 28;
+
+std::string nameAttribute(std::string_view name) { return "name=\"" + escaped(name) + "\""; }
+
+}  // namespace
+
+void appendTextElement(std::string& xml, std::string_view element, std::string_view attributes,
+                       std::string_view text) {
+    const bool plain = isXmlText(text);
+    const std::string tag = (plain ? "" : "binary_") + std::string(element);
+    xml += "<" + tag;
+    if (!attributes.empty()) xml += " " + std::string(attributes);
+    xml += ">";
+    if (plain)
+        appendEscaped(xml, text);
+    else
+        xml += encodeBase64(text);
+    xml += "</" + tag + ">\n";
+}
+
+std::string readTextElement(XmlReader& reader, const XmlElement& element) {
+    std::string text = reader.text(longest_text);
+    if (!element.name.starts_with("binary_")) return text;
+    std::optional<std::string> bytes = decodeBase64(text);
+    if (!bytes) reader.fail("this is not base64");
+    return std::move(*bytes);
+}
+
+void XmlSaveArchive::value(std::string_view name, double& v) {
+    xml_ += "<number " + nameAttribute(name) + ">";
+    appendExactNumber(xml_, v);
+    xml_ += "</number>\n";
+}
+
+void XmlSaveArchive::value(std::string_view name, std::int64_t& v) {
+    xml_ += "<integer " + nameAttribute(name) + ">";
+    appendInteger(xml_, v);
+    xml_ += "</integer>\n";
+}
+
+void XmlSaveArchive::value(std::string_view name, std::string& v) {
+    appendTextElement(xml_, "text", nameAttribute(name), v);
+}
+
+void XmlSaveArchive::enter(std::string_view name) {
+    xml_ += "<section " + nameAttribute(name) + ">\n";
+}
+
+void XmlSaveArchive::leave() { xml_ += "</section>\n"; }
+
+struct XmlLoadArchive::SectionNode {
+    std::map<std::string, std::variant<double, std::int64_t, std::string>, std::less<>> values;
+    std::map<std::string, SectionNode, std::less<>> sections;
+};
+
+XmlLoadArchive::XmlLoadArchive(XmlReader& reader, const Path& path)
+    : path_(path), root_(std::make_unique<SectionNode>()), open_{root_.get()} {
+    read(reader, *root_);
+}
+
+XmlLoadArchive::~XmlLoadArchive() = default;
+
+void XmlLoadArchive::read(XmlReader& reader, SectionNode& section) {
+    XmlElement element;
+    while (reader.next(element)) {
+        const std::string name = reader.attribute(element, "name");
+        bool is_new = true;
+        if (element.name == "section") {
+            const auto [place, added] = section.sections.try_emplace(name);
+            is_new = added;
+            // The reader limits the depth.
+            if (added) read(reader, place->second);
+        } else if (element.name == "number") {
+            const auto number = parseExactNumber(reader.text(100));
+            if (!number) reader.fail("'" + name + "' is not a number");
+            is_new = section.values.emplace(name, *number).second;
+        } else if (element.name == "integer") {
+            const auto integer = parseInteger(reader.text(100));
+            if (!integer) reader.fail("'" + name + "' is not a whole number");
+            is_new = section.values.emplace(name, *integer).second;
+        } else if (element.name == "text" || element.name == "binary_text") {
+            is_new = section.values.emplace(name, readTextElement(reader, element)).second;
+        } else {
+            reader.fail("unknown element '" + element.name + "'");
+        }
+        if (!is_new) reader.fail("'" + name + "' is there twice");
+    }
+}
+
+template <class T>
+const T& XmlLoadArchive::find(const char* kind, std::string_view name) const {
+    const auto found = open_.back()->values.find(name);
+    const T* value = found == open_.back()->values.end() ? nullptr : std::get_if<T>(&found->second);
+    if (value) return *value;
+    std::string place;
+    for (const std::string& section : names_) place += section + "/";
+    throw FileError("cannot read " + path_.string() + ": the state has no " + kind + " '" + place +
+                    std::string(name) + "'");
+}
+
+void XmlLoadArchive::value(std::string_view name, double& v) { v = find<double>("number", name); }
+
+void XmlLoadArchive::value(std::string_view name, std::int64_t& v) {
+    v = find<std::int64_t>("integer", name);
+}
+
+void XmlLoadArchive::value(std::string_view name, std::string& v) {
+    v = find<std::string>("text", name);
+}
+
+void XmlLoadArchive::enter(std::string_view name) {
+    const auto found = open_.back()->sections.find(name);
+    if (found == open_.back()->sections.end()) {
+        std::string place;
+        for (const std::string& section : names_) place += section + "/";
+        throw FileError("cannot read " + path_.string() + ": the state has no section '" + place +
+                        std::string(name) + "'");
+    }
+    open_.push_back(&found->second);
+    names_.emplace_back(name);
+}
+
+void XmlLoadArchive::leave() {
+    open_.pop_back();
+    names_.pop_back();
+}
+
+}  // namespace sphinx::io

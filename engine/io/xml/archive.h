@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/archive.h"
+#include "io/xml/reader.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sphinx::io {
+
+/// Collects small state as XML elements: <section name="loop"><number name="time">1.5</number>...
+/// Doubles keep every bit (appendExactNumber).
+class XmlSaveArchive final : public Archive {
+ public:
+    bool loading() const override { return false; }
+    void value(std::string_view name, double& v) override;
+    void value(std::string_view name, std::int64_t& v) override;
+    void value(std::string_view name, std::string& v) override;
+    void enter(std::string_view name) override;
+    void leave() override;
+
+    /// Everything saved so far, in lines.
+    const std::string& xml() const { return xml_; }
+
+ private:
+    std::string xml_;
+};
+
+/// Gives back what an XmlSaveArchive collected. What is not there is a FileError that names it.
+class XmlLoadArchive final : public Archive {
+ public:
+    /// Reads the children of the element that was opened last.
+    explicit XmlLoadArchive(XmlReader& reader, const Path& path);
+    ~XmlLoadArchive() override;
+
+    bool loading() const override { return true; }
+    void value(std::string_view name, double& v) override;
+    void value(std::string_view name, std::int64_t& v) override;
+    void value(std::string_view name, std::string& v) override;
+    void enter(std::string_view name) override;
+    void leave() override;
+
+ private:
+    struct SectionNode;
+
+    void read(XmlReader& reader, SectionNode& section);
+    template <class T>
+    const T& find(const char* kind, std::string_view name) const;
+
+    Path path_;
+    std::unique_ptr<SectionNode> root_;
+    std::vector<SectionNode*> open_;  // the root first
+    std::vector<std::string> names_;
+};
+
+/// <NAME ...>text</NAME>, or as base64 in <binary_NAME ...> if XML cannot say the text.
+void appendTextElement(std::string& xml, std::string_view element, std::string_view attributes,
+                       std::string_view text);
+/// Text of such an element, which was opened last.
+std::string readTextElement(XmlReader& reader, const XmlElement& element);
+
+}  // namespace sphinx::io

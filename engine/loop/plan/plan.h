@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/output.h"
+#include "dynamics/dynamics.h"
+#include "loop/plan/fit.h"
+#include "loop/plan/trigger.h"
+#include "loop/plan/window.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace sphinx::loop {
+
+/// One line of `start` or `steps`.
+struct Call {
+    std::string label;  ///< as in the case file: "pressure_relaxation.first_half"
+    Method* method = nullptr;
+    int action = 0;
+    /// Without: in every substep. Steps count the one under way, time is the end of the substep;
+    /// a wall time is refused, because results would depend on the speed of the machine.
+    std::optional<Trigger> every;
+    Window window = {};  ///< moments of `every` outside of it pass
+};
+
+struct TimeStep {
+    std::string label;
+    TimeStepMethod* method = nullptr;
+};
+
+struct Step;
+
+/// Covers its parent's interval with substeps; the outermost one runs until the end time.
+struct Layer {
+    std::string name;                ///< unique in the loop
+    std::vector<TimeStep> dt;        ///< the smallest estimate counts
+    std::optional<double> fixed_dt;  ///< a limit like the estimates; time, above 0
+    Fit fit = Fit::split;            ///< of inner layers
+    std::vector<Step> steps;
+};
+
+struct Step {
+    std::variant<Call, Layer> value;
+};
+
+/// One entry of `outputs`.
+struct OutputEntry {
+    std::string name;  ///< unique
+    std::string type;  ///< registry name; a saved state is only given back to the same type
+    Output* output = nullptr;
+    std::optional<Trigger> every;  ///< without: only at the start and at the end
+    /// Restarts are written after all other outputs of the same step, not at the start, and also
+    /// when the run is stopped early.
+    bool restart = false;
+};
+
+/// A whole run. The pointers stay the caller's and outlive the runner.
+struct Plan {
+    double start_time = 0;  ///< case units
+    double end_time = 0;    ///< case units; the run ends after the first outermost step reaching it
+    std::vector<Call> start;  ///< once, before the first step; `every` does not apply
+    Layer outermost;
+    std::vector<OutputEntry> outputs;
+};
+
+/// Throws std::invalid_argument for a plan that cannot run: the data-flow check (check.h) and the
+/// reader of the case have refused such a case before, with its place.
+void validate(const Plan& plan);
+
+}  // namespace sphinx::loop

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/world.h"
+#include "measure/observe_weights.h"
+
+#include <string>
+
+namespace sphinx::io {
+
+/// Weights of points that follow the material: those of the first update, of the same particles
+/// ever after. A point moves by the mean displacement of its particles. Where a particle was
+/// removed, the others take its part; the coverage tells what is left of the first one.
+template <int Dim>
+class MaterialWeights final : public ObserveWeights<Dim> {
+ public:
+    MaterialWeights(const Body<Dim>& observer, Relations<Dim>& relations,
+                    const Domain<Dim>& domain);
+
+    void update() override;
+    void transfer(Archive& archive) override;
+
+ private:
+    struct Anchor {
+        std::uint32_t body = 0;
+        std::int64_t id = 0;
+        Index particle = 0;  // where the id was found last
+        double weight = 0;   // its part of the first coverage
+    };
+    struct Point {
+        Vec<Dim> offset = Vec<Dim>::Zero();  // from the mean of its particles
+        std::vector<Anchor> anchors;
+    };
+
+    void attach();
+    void locate();
+    Vec<Dim> meanPosition(const std::vector<ParticleWeight>& weights) const;
+    std::string encoded() const;
+    void decode(std::string_view bytes);
+
+    using ObserveWeights<Dim>::observer_;
+    using ObserveWeights<Dim>::weights_;
+    using ObserveWeights<Dim>::coverage_;
+    using ObserveWeights<Dim>::position_;
+    const Domain<Dim>* domain_;
+    std::vector<Point> attached_;  // empty before the first update
+};
+
+extern template class MaterialWeights<2>;
+extern template class MaterialWeights<3>;
+
+}  // namespace sphinx::io

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/observe_weights.h"
+
+#include "core/errors.h"
+#include "core/parallel.h"
+
+namespace sphinx::io {
+
+template <int Dim>
+ObserveWeights<Dim>::ObserveWeights(const Body<Dim>& observer, Relations<Dim>& relations)
+    : observer_(&observer),
+      weights_(observer.size()),
+      coverage_(observer.size()),
+      position_(observer.particles.position().data(),
+                observer.particles.position().data() + observer.size()),
+      relations_(&relations) {
+    for (Body<Dim>* body : observer.sees) {
+        // The observer itself is not changed: a list only reads both of its bodies.
+        Relation<Dim>& relation = relations.relation(const_cast<Body<Dim>&>(observer), *body);
+        relation.list.keep_distance = true;
+        seen_.push_back(&relation);
+        const auto* volume =
+            dynamic_cast<const Field<double>*>(body->particles.find(fields::volume.name));
+        if (!volume)
+            throw CaseError("'" + observer.name + "' cannot observe '" + body->name +
+                            "': its particles have no volume");
+        volume_.push_back(volume);
+    }
+}
+
+template <int Dim>
+void ObserveWeights<Dim>::update() {
+    for (Relation<Dim>* relation : seen_) relations_->update(*relation);
+    parallelFor(
+        points(),
+        [&](std::size_t point) {
+            std::vector<ParticleWeight>& weights = weights_[point];
+            weights.clear();
+            double sum = 0;
+            for (std::size_t b = 0; b < seen_.size(); ++b) {
+                const NeighborList<Dim>& list = seen_[b]->list;
+                const Kernel<Dim>& kernel = seen_[b]->to->kernel;
+                const std::int32_t* distance = list.distancesOf(point);
+                for (std::uint32_t k = 0; k < list.ranges[point].count; ++k) {
+                    const Index j = list.of(point)[k / lane_count].index[k % lane_count];
+                    const double r = list.distanceUnit() * distance[k];
+                    const double weight = (*volume_[b])[j] * kernel.value(r);
+                    if (!(weight > 0)) continue;
+                    weights.push_back({static_cast<std::uint32_t>(b), j, weight});
+                    sum += weight;
+                }
+            }
+            for (ParticleWeight& one : weights) one.weight /= sum;
+            coverage_[point] = sum;
+        },
+        64);
+}
+
+template class ObserveWeights<2>;
+template class ObserveWeights<3>;
+
+}  // namespace sphinx::io

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/reduce.h"
+
+#include "io/series/rows_output.h"
+#include "measure/reduce_force.h"
+#include "measure/reduce_motion.h"
+#include "measure/reduce_reaction.h"
+
+namespace sphinx::io {
+namespace {
+
+enum class Reduced {
+    mechanical_energy,
+    kinetic_energy,
+    mass,
+    momentum,
+    angular_momentum,
+    maximum_speed,
+    front_position,
+    force,
+    support_reaction,
+};
+
+enum class Axis { x, y, z };
+
+struct ReduceParameters : MeanParameters {
+    input::Name body;
+    Reduced quantity = Reduced::mechanical_energy;
+    std::optional<Axis> axis;
+};
+
+template <int Dim>
+std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
+                                         const input::Component& component,
+                                         const OutputContext<Dim>& context) {
+    const Body<Dim>& body = *context.world.find(p.body.text);
+    const ReducedBody<Dim> reduced{&body, p.body.place, context.units, &context.relations};
+    switch (p.quantity) {
+        case Reduced::mechanical_energy: return mechanicalEnergy(reduced);
+        case Reduced::kinetic_energy: return kineticEnergy(reduced);
+        case Reduced::mass: return mass(reduced);
+        case Reduced::momentum: return momentum(reduced);
+        case Reduced::angular_momentum: return angularMomentum(reduced);
+        case Reduced::maximum_speed: return maximumSpeed(reduced);
+        case Reduced::front_position: {
+            const int axis = static_cast<int>(p.axis.value_or(Axis::x));
+            if (axis >= Dim) failAt(component.placeOf("axis"), "a case in 2D has no axis z");
+            return frontPosition(reduced, axis);
+        }
+        case Reduced::support_reaction: return makeReactionSource(body, p.body.place, context);
+        case Reduced::force: break;
+    }
+    if (body.kind != BodyKind::solid)
+        failAt(p.body.place,
+               "the force is that of fluids on a solid, but '" + body.name + "' is a fluid");
+    return makeForceSource(body, p.body.place, context);
+}
+
+}  // namespace
+
+void declareReduce(input::Registry& registry) {
+    using P = ReduceParameters;
+    auto& d = registry.declare<P>(input::Kind::output, "reduce");
+    d.summary("Time series of a sum or extreme over the particles of a body");
+    d.required("body", &P::body, input::bodyReference({"fluid", "solid"}), "fluid or solid");
+    d.required(
+        "quantity", &P::quantity,
+        input::choice<Reduced>({
+            {"mechanical_energy", Reduced::mechanical_energy,
+             "kinetic, potential (-sum m g . x), internal (of a fluid or elastic body), total"},
+            {"kinetic_energy", Reduced::kinetic_energy, "sum of m v^2/2"},
+            {"mass", Reduced::mass, "mass, number of particles, number removed"},
+            {"momentum", Reduced::momentum, "sum of m v"},
+            {"angular_momentum", Reduced::angular_momentum, "sum of m x cross v about the origin"},
+            {"maximum_speed", Reduced::maximum_speed, "largest abs(v)"},
+            {"front_position", Reduced::front_position, "largest coordinate along 'axis'"},
+            {"force", Reduced::force,
+             "of the fluids on a solid: by pressure, by viscosity, and both"},
+            {"support_reaction", Reduced::support_reaction,
+             "of the constraints on an elastic body, over its last step"},
+        }),
+        "what is written");
+    d.optional("axis", &P::axis,
+               input::choice<Axis>({{"x", Axis::x, ""}, {"y", Axis::y, ""}, {"z", Axis::z, ""}}),
+               "of front_position; default x");
+    declareMeans(d);
+    d.check("axis", [](const P& p) -> std::string {
+        return p.axis && p.quantity != Reduced::front_position ? "'axis' is for front_position"
+                                                               : "";
+    });
+    d.builder(outputFactory<P>([]<int Dim>(const P& p, const input::Component& component,
+                                           const OutputContext<Dim>& context) {
+        return makeRowsOutput(component, context,
+                              {p, "reduction " + std::to_string(static_cast<int>(p.quantity))},
+                              makeSource(p, component, context));
+    }));
+}
+
+}  // namespace sphinx::io

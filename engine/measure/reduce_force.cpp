@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/reduce_force.h"
+
+#include "io/output/unit_text.h"
+#include "io/series/series_columns.h"
+
+#include <algorithm>
+
+namespace sphinx::io {
+
+template <int Dim>
+ForceSource<Dim>::ForceSource(const Body<Dim>& solid,
+                              const std::vector<const fluid::SolidLoad<Dim>*>& loads,
+                              Relations<Dim>& relations, const input::UnitSystem& units)
+    : solid_(&solid), relations_(&relations) {
+    for (const fluid::SolidLoad<Dim>* load : loads) {
+        const auto same = [&](const FluidLoads& one) { return one.own.from == &load->fluid(); };
+        auto place = std::find_if(fluids_.begin(), fluids_.end(), same);
+        if (place == fluids_.end()) {
+            FluidLoads& fluid = fluids_.emplace_back();
+            fluid.own.from = &load->fluid();
+            // A list only reads both of its bodies.
+            fluid.own.to = const_cast<Body<Dim>*>(&solid);
+            fluid.own.list.keep_distance = true;
+            fluid.acting = &relations.relation(*fluid.own.from, *fluid.own.to);
+            place = fluids_.end() - 1;
+        }
+        place->loads.push_back(load);
+    }
+    const std::string force = unitText(unit::force, units);
+    const std::vector<std::string> axes = componentLabels<Dim>(Rank::vector);
+    quantities_ = {{"pressure_force", force, "by the pressure of the fluids", axes},
+                   {"viscous_force", force, "by the viscosity of the fluids", axes},
+                   {"force", force, "of the fluids on the body", axes}};
+}
+
+template <int Dim>
+const NeighborList<Dim>& ForceSource<Dim>::listOf(FluidLoads& fluid) const {
+    if (fluid.acting->namesParticles() && fluid.acting->list.keep_distance)
+        return fluid.acting->list;
+    relations_->update(fluid.own);
+    return fluid.own.list;
+}
+
+template <int Dim>
+void ForceSource<Dim>::sample(const Clock&, std::span<double> row) {
+    Vec<Dim> pressure = Vec<Dim>::Zero();
+    Vec<Dim> viscous = Vec<Dim>::Zero();
+    for (FluidLoads& fluid : fluids_) {
+        const NeighborList<Dim>& list = listOf(fluid);
+        const auto add = [&](fluid::LoadKind kind, Vec<Dim>& sum) {
+            if (const auto* load = fluid::presentLoad(fluid.loads, *fluid.own.from, kind))
+                sum += load->forceOn(*solid_, list);
+        };
+        add(fluid::LoadKind::pressure, pressure);
+        add(fluid::LoadKind::viscous, viscous);
+    }
+    for (int k = 0; k < Dim; ++k) {
+        row[k] = pressure[k];
+        row[Dim + k] = viscous[k];
+        row[2 * Dim + k] = pressure[k] + viscous[k];
+    }
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> makeForceSource(const Body<Dim>& solid, const input::Place& place,
+                                              const OutputContext<Dim>& context) {
+    std::vector<const fluid::SolidLoad<Dim>*> loads;
+    for (const Method* method : context.methods) {
+        const auto* load = dynamic_cast<const fluid::SolidLoad<Dim>*>(method);
+        if (!load) continue;
+        const std::vector<Body<Dim>*>& seen = load->fluid().sees;
+        if (std::find(seen.begin(), seen.end(), &solid) != seen.end()) loads.push_back(load);
+    }
+    if (loads.empty())
+        failAt(place, "there is no force on '" + solid.name +
+                          "' to be summed: no fluid that the loop moves sees it");
+    return std::make_unique<ForceSource<Dim>>(solid, loads, context.relations, context.units);
+}
+
+template class ForceSource<2>;
+template class ForceSource<3>;
+template std::unique_ptr<SeriesSource> makeForceSource<2>(const Body<2>&, const input::Place&,
+                                                          const OutputContext<2>&);
+template std::unique_ptr<SeriesSource> makeForceSource<3>(const Body<3>&, const input::Place&,
+                                                          const OutputContext<3>&);
+
+}  // namespace sphinx::io

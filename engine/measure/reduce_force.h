@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/fluid/solid_load.h"
+#include "io/output/output_factory.h"
+#include "io/series/series.h"
+#include "io/series/series_quantity.h"
+
+#include <deque>
+
+namespace sphinx::io {
+
+/// Force of all fluids on a solid at the present velocities and pressures: the part by pressure,
+/// the part by viscosity, and their sum. The pair terms and lists are those of the methods that act
+/// (fluid/solid_load.h): within an advection step, in which lists stay as they are, the force is
+/// the one that the fluid feels. After particles were sorted or lost it takes a list of its own.
+template <int Dim>
+class ForceSource final : public SeriesSource {
+ public:
+    ForceSource(const Body<Dim>& solid, const std::vector<const fluid::SolidLoad<Dim>*>& loads,
+                Relations<Dim>& relations, const input::UnitSystem& units);
+
+    const std::vector<SeriesQuantity>& quantities() const override { return quantities_; }
+    void sample(const Clock& clock, std::span<double> row) override;
+
+ private:
+    struct FluidLoads {
+        const Relation<Dim>* acting;  // of the fluid to the solid
+        Relation<Dim> own;            // the same, where the acting one cannot be read
+        std::vector<const fluid::SolidLoad<Dim>*> loads;
+    };
+
+    const NeighborList<Dim>& listOf(FluidLoads& fluid) const;
+
+    const Body<Dim>* solid_;
+    Relations<Dim>* relations_;
+    std::deque<FluidLoads> fluids_;
+    std::vector<SeriesQuantity> quantities_;
+};
+
+/// Throws CaseError at the place when no method of the loop acts between a fluid and the solid.
+template <int Dim>
+std::unique_ptr<SeriesSource> makeForceSource(const Body<Dim>& solid, const input::Place& place,
+                                              const OutputContext<Dim>& context);
+
+extern template class ForceSource<2>;
+extern template class ForceSource<3>;
+
+}  // namespace sphinx::io

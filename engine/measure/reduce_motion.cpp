@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/reduce_motion.h"
+
+#include "core/parallel.h"
+#include "dynamics/solid/internal_energy.h"
+#include "io/output/unit_text.h"
+#include "io/series/series_columns.h"
+#include "materials/elastic_solid.h"
+#include "materials/fluid.h"
+#include "measure/reduce.h"
+
+#include <array>
+#include <cmath>
+
+namespace sphinx::io {
+namespace {
+
+/// Several sums in one pass.
+template <int N>
+struct Sums {
+    std::array<double, N> values{};
+
+    Sums& operator+=(const Sums& other) {
+        for (int k = 0; k < N; ++k) values[k] += other.values[k];
+        return *this;
+    }
+};
+
+template <class T, int Dim>
+const Field<T>& require(const ReducedBody<Dim>& reduced, const FieldInfo& info) {
+    return dynamic_cast<const Field<T>&>(
+        fieldOf(*reduced.body, input::Name{std::string(info.name), reduced.place}));
+}
+
+/// Position, velocity and mass, for most of the sums.
+template <int Dim>
+struct Motion {
+    explicit Motion(const ReducedBody<Dim>& reduced)
+        : body(reduced.body),
+          x(&body->particles.position()),
+          v(&require<Vec<Dim>>(reduced, fields::velocity)),
+          m(&require<double>(reduced, fields::mass)) {}
+
+    /// Of the material; images are none.
+    double mass(std::size_t i) const { return body->isImage(i) ? 0 : (*m)[i]; }
+    double kinetic(std::size_t i) const { return 0.5 * mass(i) * (*v)[i].squaredNorm(); }
+
+    const Body<Dim>* body;
+    const Field<Vec<Dim>>* x;
+    const Field<Vec<Dim>>* v;
+    const Field<double>* m;
+};
+
+/// A source of N sums whose terms `term(i)` gives as an array.
+template <int N, int Dim, class Term>
+std::unique_ptr<SeriesSource> sums(std::vector<SeriesQuantity> quantities, const Body<Dim>* body,
+                                   Term term) {
+    return std::make_unique<ReduceSource>(std::move(quantities), [body,
+                                                                  term](std::span<double> row) {
+        const auto sum = parallelSum(body->size(), [&](std::size_t i) { return Sums<N>{term(i)}; });
+        for (int k = 0; k < N; ++k) row[k] = sum.values[k];
+    });
+}
+
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) {
+    const auto* material = reduced.body->material.get();
+    const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(material);
+    if (!fluid && !dynamic_cast<const ElasticSolid*>(material))
+        failAt(reduced.place, "'" + reduced.body->name +
+                                  "' is rigid: it has no internal energy; ask for kinetic_energy");
+    const std::string energy = unitText(unit::energy, reduced.units);
+    const Motion<Dim> motion(reduced);
+    const auto* density = &require<double>(reduced, fields::density);
+    Relations<Dim>* relations = reduced.relations;
+    return std::make_unique<ReduceSource>(
+        std::vector<SeriesQuantity>{
+            {"kinetic", energy, "sum of m v^2/2", {}},
+            {"potential", energy, "-sum of m g . x", {}},
+            {"internal",
+             energy,
+             "of a fluid sum of m e(rho), zero at the density of zero pressure; of an elastic body "
+             "sum of V W(F), with its hourglass control",
+             {}},
+            {"total", energy, "kinetic + potential + internal", {}}},
+        [motion, fluid, density, relations](std::span<double> row) {
+            const Vec<Dim> g = motion.body->gravity;
+            const auto sum = parallelSum(motion.body->size(), [&](std::size_t i) {
+                const double m = motion.mass(i);
+                return Sums<3>{{motion.kinetic(i), -m * g.dot((*motion.x)[i]),
+                                fluid ? m * fluid->internalEnergy((*density)[i]) : 0}};
+            });
+            for (int k = 0; k < 3; ++k) row[k] = sum.values[k];
+            if (!fluid) row[2] = solid::internalEnergy(*motion.body, *relations);
+            row[3] = row[0] + row[1] + row[2];
+        });
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced) {
+    const Motion<Dim> motion(reduced);
+    return sums<1>({{"kinetic", unitText(unit::energy, reduced.units), "sum of m v^2/2", {}}},
+                   motion.body,
+                   [motion](std::size_t i) { return std::array<double, 1>{motion.kinetic(i)}; });
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>& reduced) {
+    const Body<Dim>* body = reduced.body;
+    const Motion<Dim> motion(reduced);
+    return std::make_unique<ReduceSource>(
+        std::vector<SeriesQuantity>{{"mass",
+                                     unitText(unit::mass, reduced.units),
+                                     "of the body, without what a clamp holds",
+                                     {}},
+                                    {"particles", "", "number of particles", {}},
+                                    {"removed", "", "particles that have left the body", {}}},
+        [body, motion](std::span<double> row) {
+            row[0] = parallelSum(body->size(), [&](std::size_t i) { return motion.mass(i); });
+            row[1] = static_cast<double>(body->size());
+            row[2] = static_cast<double>(body->particles.nextId()) - row[1];
+        });
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>& reduced) {
+    const Motion<Dim> motion(reduced);
+    return sums<Dim>({{"momentum", unitText(unit::momentum, reduced.units), "sum of m v",
+                       componentLabels<Dim>(Rank::vector)}},
+                     motion.body, [motion](std::size_t i) {
+                         std::array<double, Dim> term;
+                         for (int k = 0; k < Dim; ++k) term[k] = motion.mass(i) * (*motion.v)[i][k];
+                         return term;
+                     });
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced) {
+    const Motion<Dim> motion(reduced);
+    SeriesQuantity quantity{"angular_momentum",
+                            unitText(unit::momentum * unit::length, reduced.units),
+                            "sum of m x cross v about the origin",
+                            {}};
+    if constexpr (Dim == 2) {
+        return sums<1>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
+            const Vec<2>& x = (*motion.x)[i];
+            const Vec<2>& v = (*motion.v)[i];
+            return std::array<double, 1>{motion.mass(i) * (x[0] * v[1] - x[1] * v[0])};
+        });
+    } else {
+        quantity.labels = componentLabels<3>(Rank::vector);
+        return sums<3>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
+            const Vec<3>& x = (*motion.x)[i];
+            const Vec<3>& v = (*motion.v)[i];
+            const double m = motion.mass(i);
+            return std::array<double, 3>{m * (x[1] * v[2] - x[2] * v[1]),
+                                         m * (x[2] * v[0] - x[0] * v[2]),
+                                         m * (x[0] * v[1] - x[1] * v[0])};
+        });
+    }
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced) {
+    const Body<Dim>* body = reduced.body;
+    const auto* v = &require<Vec<Dim>>(reduced, fields::velocity);
+    return std::make_unique<ReduceSource>(
+        std::vector<SeriesQuantity>{
+            {"maximum_speed", unitText(unit::velocity, reduced.units), "largest abs(v)", {}}},
+        [body, v](std::span<double> row) {
+            row[0] = body->size() == 0 ? nan_value
+                                       : std::sqrt(parallelMax(body->size(), 0, [&](std::size_t i) {
+                                             return (*v)[i].squaredNorm();
+                                         }));
+        });
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> frontPosition(const ReducedBody<Dim>& reduced, int axis) {
+    const Body<Dim>* body = reduced.body;
+    return std::make_unique<ReduceSource>(
+        std::vector<SeriesQuantity>{{"front_position",
+                                     unitText(unit::length, reduced.units),
+                                     std::string("largest ") + "xyz" [axis],
+                                     {}}},
+        [body, axis](std::span<double> row) {
+            const Field<Vec<Dim>>& x = body->particles.position();
+            row[0] = body->size() == 0 ? nan_value
+                                       : parallelMax(body->size(), x[0][axis],
+                                                     [&](std::size_t i) { return x[i][axis]; });
+        });
+}
+
+#define SPHINX_INSTANTIATE(Dim)                                                       \
+    template std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>&); \
+    template std::unique_ptr<SeriesSource> kineticEnergy(const ReducedBody<Dim>&);    \
+    template std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>&);             \
+    template std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>&);         \
+    template std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>&);  \
+    template std::unique_ptr<SeriesSource> maximumSpeed(const ReducedBody<Dim>&);     \
+    template std::unique_ptr<SeriesSource> frontPosition(const ReducedBody<Dim>&, int axis);
+SPHINX_INSTANTIATE(2)
+SPHINX_INSTANTIATE(3)
+#undef SPHINX_INSTANTIATE
+
+}  // namespace sphinx::io

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "io/output/output_factory.h"
+#include "io/series/series.h"
+
+namespace sphinx::io {
+
+/// Force of the constraints that hold particles of the body, over their last step. Throws CaseError
+/// at the place when no method of the loop holds any.
+template <int Dim>
+std::unique_ptr<SeriesSource> makeReactionSource(const Body<Dim>& body, const input::Place& place,
+                                                 const OutputContext<Dim>& context);
+
+}  // namespace sphinx::io

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/register.h"
+
+#include "measure/observe.h"
+#include "measure/reduce.h"
+
+namespace sphinx::io {
+
+void registerMeasures(input::Registry& registry) {
+    declareObserve(registry);
+    declareReduce(registry);
+}
+
+}  // namespace sphinx::io
