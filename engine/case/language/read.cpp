@@ -3,6 +3,7 @@
 #include "case/language/read.h"
 
 #include "case/language/phases.h"
+#include "core/read_file.h"
 #include "input/tree/load.h"
 #include "io/file/compress.h"
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/declaration/schema.h"
 
+#include "input/tree/json.h"
+
 namespace sphinx::input {
 namespace {
 
@@ -119,7 +121,7 @@ std::string jsonSchema(const Registry& registry, const Declaration& top) {
     builder.partial = false;
     schema.set("else", whole());
     schema.set("definitions", builder.definitions());
-    return toJson(schema);
+    return writeJson(schema);
 }
 
 }  // namespace sphinx::input

@@ -39,7 +39,4 @@ Node schemaType(const std::string& type);
 /// The whole document for a case, whose top level is that block.
 std::string jsonSchema(const Registry& registry, const Declaration& top);
 
-/// JSON text of a tree: plain scalars that are JSON numbers or true, false, null stay bare.
-std::string toJson(const Node& node);
-
 }  // namespace sphinx::input

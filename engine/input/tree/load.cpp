@@ -3,15 +3,12 @@
 #include "input/tree/load.h"
 
 #include "core/errors.h"
+#include "core/read_file.h"
 #include "input/tree/overrides.h"
 #include "input/tree/yaml.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace sphinx::input {
 namespace {
@@ -116,7 +113,7 @@ class Loader {
             return "";
         }
         try {
-            std::string text = readFile(path.string());
+            std::string text = readFile(path);
             if (text.empty()) diagnostics_.error(place, path.string() + " is empty");
             return text;
         } catch (const FileError& e) {
@@ -131,16 +128,6 @@ class Loader {
 };
 
 }  // namespace
-
-std::string readFile(const std::string& path) {
-    std::error_code error;
-    if (fs::is_directory(path, error)) throw FileError("cannot read " + path + ": it is a folder");
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw FileError("cannot read " + path + ": " + std::strerror(errno));
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return std::move(text).str();
-}
 
 LoadedCase loadText(std::string name, std::string text, const std::vector<std::string>& overrides,
                     const std::vector<std::string>& named_blocks, Diagnostics& diagnostics) {

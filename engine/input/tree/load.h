@@ -25,7 +25,4 @@ LoadedCase loadCase(const std::string& path, const std::vector<std::string>& ove
 LoadedCase loadText(std::string name, std::string text, const std::vector<std::string>& overrides,
                     const std::vector<std::string>& named_blocks, Diagnostics& diagnostics);
 
-/// The whole file; throws FileError.
-std::string readFile(const std::string& path);
-
 }  // namespace sphinx::input

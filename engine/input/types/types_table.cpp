@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "core/errors.h"
+#include "core/read_file.h"
 #include "input/declaration/reader.h"
 #include "input/expressions/decimal.h"
-#include "input/tree/load.h"
 #include "input/types/type_support.h"
 
 #include <fmt/format.h>

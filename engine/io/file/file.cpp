@@ -139,17 +139,6 @@ void writeFileAtomically(const Path& path, std::string_view content) {
     file.commit();
 }
 
-std::string readFile(const Path& path, std::uint64_t limit) {
-    File file = File::openRead(path);
-    const std::uint64_t size = file.size();
-    if (size > limit)
-        throw FileError("cannot read " + path.string() + ": " + std::to_string(size) +
-                        " bytes are more than the " + std::to_string(limit) + " expected at most");
-    std::string content(size, '\0');
-    content.resize(file.read(content.data(), content.size()));
-    return content;
-}
-
 void syncFolder(const Path& folder) {
     const Path path = folder.empty() ? Path(".") : folder;
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

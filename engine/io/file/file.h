@@ -71,8 +71,6 @@ Path temporaryName(const Path& path);
 /// Gives a file its final name, durably.
 void renameFile(const Path& from, const Path& to);
 void writeFileAtomically(const Path& path, std::string_view content);
-/// Whole content of a file of at most `limit` bytes.
-std::string readFile(const Path& path, std::uint64_t limit);
 /// Makes renames and removals inside the folder durable.
 void syncFolder(const Path& folder);
 void makeFolder(const Path& folder);

@@ -3,6 +3,7 @@
 #include "io/frames/pvd.h"
 
 #include "core/errors.h"
+#include "core/read_file.h"
 #include "io/file/number_text.h"
 #include "io/xml/text.h"
 

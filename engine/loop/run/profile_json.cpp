@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "core/errors.h"
+#include "input/tree/json.h"
 #include "loop/run/profile.h"
 
 #include <fmt/format.h>
@@ -12,50 +13,40 @@
 namespace sphinx::loop {
 namespace {
 
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            out += {'\\', c};
-        else if (static_cast<unsigned char>(c) < 0x20)
-            out += fmt::format("\\u{:04x}", static_cast<int>(c));
-        else
-            out += c;
-    }
-    return out + '"';
-}
+using input::Node;
 
-std::string linesJson(const std::vector<ProfileLine>& lines, const std::string& indent) {
-    if (lines.empty()) return "[]";
-    std::string out = "[";
-    const std::string inner = indent + "  ";
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-        const ProfileLine& line = lines[k];
+Node linesNode(const std::vector<ProfileLine>& lines) {
+    Node list = Node::list();
+    for (const ProfileLine& line : lines) {
+        Node& one = list.add(Node::map());
+        one.set("label", Node::string(line.label));
+        one.set("kind", Node::string(line.kind));
+        one.set("calls", Node::integer(line.calls));
+        one.set("seconds", Node::number(line.seconds));
         const auto& cost = line.nanoseconds_per_particle;
-        out += fmt::format(
-            "{}\n{}{{\"label\": {}, \"kind\": {}, \"calls\": {}, \"seconds\": {:.9f}, "
-            "\"ns_per_particle\": {}, \"share\": {:.6f}, \"lines\": {}}}",
-            k == 0 ? "" : ",", inner, quoted(line.label), quoted(line.kind), line.calls,
-            line.seconds, cost ? fmt::format("{:.4f}", *cost) : "null", line.share,
-            linesJson(line.lines, inner));
+        one.set("ns_per_particle", cost ? Node::number(*cost) : Node{});
+        one.set("share", Node::number(line.share));
+        one.set("lines", linesNode(line.lines));
     }
-    return out + "\n" + indent + "]";
+    return list;
 }
 
 }  // namespace
 
 std::string profileJson(const Profile& profile) {
-    std::string steps;
-    for (const auto& [layer, n] : profile.steps)
-        steps += fmt::format("{}{}: {}", steps.empty() ? "" : ", ", quoted(layer), n);
-    return fmt::format(
-        "{{\n  \"time\": {},\n  \"finished\": {},\n  \"loop_seconds\": {:.9f},\n  "
-        "\"start_seconds\": {:.9f},\n"
-        "  \"output_seconds\": {:.9f},\n  \"steps\": {{{}}},\n  \"lines\": {},\n"
-        "  \"start\": {},\n  \"outputs\": {}\n}}\n",
-        profile.time, profile.finished, profile.loop_seconds, profile.start_seconds,
-        profile.output_seconds, steps, linesJson(profile.lines, "  "),
-        linesJson(profile.start, "  "), linesJson(profile.outputs, "  "));
+    Node steps = Node::map();
+    for (const auto& [layer, n] : profile.steps) steps.set(layer, Node::integer(n));
+    Node whole = Node::map();
+    whole.set("time", Node::number(profile.time));
+    whole.set("finished", Node::plain(profile.finished ? "true" : "false"));
+    whole.set("loop_seconds", Node::number(profile.loop_seconds));
+    whole.set("start_seconds", Node::number(profile.start_seconds));
+    whole.set("output_seconds", Node::number(profile.output_seconds));
+    whole.set("steps", std::move(steps));
+    whole.set("lines", linesNode(profile.lines));
+    whole.set("start", linesNode(profile.start));
+    whole.set("outputs", linesNode(profile.outputs));
+    return input::writeJson(whole);
 }
 
 void writeProfile(const Profile& profile, const std::filesystem::path& path) {

@@ -68,8 +68,8 @@ class CheckLayers(unittest.TestCase):
         self.expect({"engine/case/a.h": ""}, "engine/case/a.h: case/ has no room .")
 
     def test_library_of_another_folder(self):
-        for include in ("tbb/parallel_for.h", "yaml-cpp/yaml.h", "muParser.h", "CGAL/Origin.h",
-                        "tinyxml2.h", "hdf5.h", "Simbody.h", "CLI/CLI.hpp"):
+        for include in ("tbb/parallel_for.h", "yaml-cpp/yaml.h", "muParser.h", "nlohmann/json.hpp",
+                        "CGAL/Origin.h", "tinyxml2.h", "hdf5.h", "Simbody.h", "CLI/CLI.hpp"):
             with self.subTest(include):
                 self.expect({"engine/dynamics/force/a.h": f"#  include <{include}>\n"},
                             f"engine/dynamics/force/a.h:1: includes <{include}>, which only")

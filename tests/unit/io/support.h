@@ -4,6 +4,7 @@
 
 #include "bodies/body.h"
 #include "core/output.h"
+#include "core/read_file.h"
 #include "io/file/file.h"
 #include "io/xml/archive.h"
 

@@ -130,36 +130,60 @@ TEST_CASE("the profile as a table") {
 }
 
 TEST_CASE("the profile as JSON") {
-    const std::string expected = R"({
+    const std::string json = profileJson(plain());
+    CHECK(json.starts_with(R"({
   "time": 2.5,
   "finished": true,
-  "loop_seconds": 8.000000000,
-  "start_seconds": 0.500000000,
-  "output_seconds": 1.000000000,
-  "steps": {"advection": 10, "acoustic": 50},
+  "loop_seconds": 8,
+  "start_seconds": 0.5,
+  "output_seconds": 1,
+  "steps": {
+    "advection": 10,
+    "acoustic": 50
+  },
   "lines": [
-    {"label": "advection", "kind": "layer", "calls": 10, "seconds": 8.000000000, "ns_per_particle": null, "share": 1.000000, "lines": [
-      {"label": "acoustic", "kind": "layer", "calls": 50, "seconds": 6.000000000, "ns_per_particle": null, "share": 0.750000, "lines": [
-        {"label": "acoustic_dt", "kind": "time_step", "calls": 50, "seconds": 1.000000000, "ns_per_particle": 2.0000, "share": 0.125000, "lines": []},
-        {"label": "pressure \"relaxation\"", "kind": "call", "calls": 50, "seconds": 4.000000000, "ns_per_particle": 16.5000, "share": 0.500000, "lines": []}
-      ]}
-    ]}
-  ],
-  "start": [
-    {"label": "neighbors", "kind": "start", "calls": 1, "seconds": 0.500000000, "ns_per_particle": 100.0000, "share": 0.062500, "lines": []}
-  ],
+    {
+      "label": "advection",
+      "kind": "layer",
+      "calls": 10,
+      "seconds": 8,
+      "ns_per_particle": null,
+      "share": 1,
+      "lines": [
+        {
+          "label": "acoustic",
+)"));
+    CHECK_THAT(json, Catch::Contains(R"(
+            {
+              "label": "pressure \"relaxation\"",
+              "kind": "call",
+              "calls": 50,
+              "seconds": 4,
+              "ns_per_particle": 16.5,
+              "share": 0.5,
+              "lines": []
+            }
+)"));
+    CHECK(json.ends_with(R"(
   "outputs": [
-    {"label": "fields", "kind": "output", "calls": 3, "seconds": 1.000000000, "ns_per_particle": null, "share": 0.125000, "lines": []}
+    {
+      "label": "fields",
+      "kind": "output",
+      "calls": 3,
+      "seconds": 1,
+      "ns_per_particle": null,
+      "share": 0.125,
+      "lines": []
+    }
   ]
 }
-)";
-    CHECK(profileJson(plain()) == expected);
+)"));
 
     const auto path = std::filesystem::temp_directory_path() / "sphinx_unit_loop_profile.json";
     writeProfile(plain(), path);
     std::ostringstream read;
     read << std::ifstream(path).rdbuf();
-    CHECK(read.str() == expected);
+    CHECK(read.str() == json);
     std::filesystem::remove(path);
     CHECK_THROWS_AS(writeProfile(plain(), "/nonexistent/profile.json"), FileError);
 }
