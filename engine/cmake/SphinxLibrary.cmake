@@ -30,10 +30,45 @@ target_compile_definitions(sphinx_flags INTERFACE EIGEN_DONT_VECTORIZE)
 # For code that no step of a run waits for: takes a fifth less to compile.
 set(SPHINX_COLD_OPTIONS $<$<CONFIG:Release>:-O1>)
 
-# sphinx_library(core [COLD] LINK_PUBLIC ... LINK_PRIVATE ...): engine/core/**.cpp as sphinx_core.
+# What the files of one room include and instantiate is most of the work of compiling them, so that the
+# files of a room of cold code are compiled as one. OFF compiles each alone, which shows whether it
+# includes all that it uses.
+option(SPHINX_UNITE "Compile the files of a folder together where no loop is hot" ON)
+
+# sphinx_unite(RESULT sources...): one generated file for each folder, which includes its sources.
+function(sphinx_unite RESULT)
+  set(UNITS)
+  foreach(SOURCE ${ARGN})
+    file(RELATIVE_PATH NAME ${CMAKE_SOURCE_DIR}/engine ${SOURCE})
+    get_filename_component(ROOM ${NAME} DIRECTORY)
+    string(REPLACE / _ UNIT ${ROOM})
+    list(APPEND UNITS ${UNIT})
+    # Relative to engine/, so that ccache finds it alike in every clone.
+    string(APPEND TEXT_${UNIT} "#include \"${NAME}\"\n")
+  endforeach()
+  list(REMOVE_DUPLICATES UNITS)
+  set(UNITED)
+  foreach(UNIT ${UNITS})
+    set(FILE ${CMAKE_CURRENT_BINARY_DIR}/united/${UNIT}.cpp)
+    file(CONFIGURE OUTPUT ${FILE} CONTENT "${TEXT_${UNIT}}" @ONLY)
+    # Of types in an unnamed namespace in a file that is included; here these are sources.
+    set_source_files_properties(${FILE} PROPERTIES COMPILE_OPTIONS -Wno-subobject-linkage)
+    list(APPEND UNITED ${FILE})
+  endforeach()
+  set(${RESULT} ${UNITED} PARENT_SCOPE)
+endfunction()
+
+# sphinx_library(core [COLD] [UNITE] LINK_PUBLIC ... LINK_PRIVATE ... ALONE ...): engine/core/**.cpp as
+# sphinx_core; ALONE are files of a folder to UNITE that are compiled by themselves.
 function(sphinx_library NAME)
-  cmake_parse_arguments(ARG "COLD" "" "LINK_PUBLIC;LINK_PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "COLD;UNITE" "" "LINK_PUBLIC;LINK_PRIVATE;ALONE" ${ARGN})
   file(GLOB_RECURSE SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/${NAME}/*.cpp)
+  if(ARG_UNITE AND SPHINX_UNITE)
+    list(TRANSFORM ARG_ALONE PREPEND ${CMAKE_SOURCE_DIR}/engine/)
+    list(REMOVE_ITEM SOURCES ${ARG_ALONE})
+    sphinx_unite(SOURCES ${SOURCES})
+    list(APPEND SOURCES ${ARG_ALONE})
+  endif()
   if(SOURCES)
     add_library(sphinx_${NAME} STATIC ${SOURCES})
     target_link_libraries(sphinx_${NAME} PUBLIC sphinx_flags ${ARG_LINK_PUBLIC}

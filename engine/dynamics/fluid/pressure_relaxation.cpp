@@ -1,5 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+
+// The compiler may fuse products and sums here, and the bits depend on it: engine/CMakeLists.txt.
+#ifndef SPHINX_FUSED
+#error "compile this file with -ffp-contract=fast and SPHINX_FUSED"
+#endif
+
 #include "dynamics/fluid/pressure_relaxation.h"
 
 #include "core/parallel.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/expressions/expression_parser.h"
 
+#include "input/expressions/characters.h"
 #include "input/expressions/decimal.h"
 
 #include <muParser.h>
@@ -48,10 +49,7 @@ double largest(const double* values, int n) {
 }
 double angle(double y, double x) { return std::atan2(y, x); }
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isWord(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || isDigit(c);
-}
+bool isWord(char c) { return isLetter(c) || c == '_' || isDigit(c); }
 
 std::size_t endOfNumber(std::string_view text, std::size_t k) {
     while (k < text.size() && (isDigit(text[k]) || text[k] == '.')) ++k;

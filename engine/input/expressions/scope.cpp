@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/expressions/scope.h"
 
+#include "input/expressions/characters.h"
 #include "input/expressions/decimal.h"
 #include "input/expressions/expression_parser.h"
 #include "input/tree/suggest.h"
@@ -15,9 +16,6 @@ namespace sphinx::input {
 namespace {
 
 constexpr std::size_t deepest_dependency = 500;
-
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// Place of a byte of a scalar; that of the scalar when quotes or folding have moved it.
 Place within(const Node& node, std::size_t position) {

@@ -3,6 +3,7 @@
 #include "input/expressions/units.h"
 
 #include "core/types.h"
+#include "input/expressions/characters.h"
 #include "input/expressions/decimal.h"
 #include "input/tree/suggest.h"
 
@@ -61,8 +62,6 @@ const Unit* findUnit(std::string_view name) {
         if (named.name == name) return &named.unit;
     return nullptr;
 }
-
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 void multiply(Unit& product, const Unit& by, int power) {
     product.dimension.length += power * by.dimension.length;

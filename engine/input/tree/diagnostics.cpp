@@ -10,7 +10,7 @@ namespace sphinx::input {
 namespace {
 
 constexpr std::size_t most_messages = 50;
-constexpr std::size_t widest_line = 200;  // bytes of a source line that a message shows
+constexpr std::size_t widest_shown = 200;  // bytes of a source line that a message shows
 
 bool startsCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
@@ -24,10 +24,10 @@ std::string excerpt(const Place& place) {
     std::size_t column = std::min<std::size_t>(place.column - 1, line.size());
     std::string before;
     std::string after;
-    if (line.size() > widest_line) {
-        std::size_t begin = column > widest_line / 2 ? column - widest_line / 2 : 0;
+    if (line.size() > widest_shown) {
+        std::size_t begin = column > widest_shown / 2 ? column - widest_shown / 2 : 0;
         while (begin > 0 && !startsCharacter(line[begin])) --begin;
-        std::size_t end = std::min(line.size(), begin + widest_line);
+        std::size_t end = std::min(line.size(), begin + widest_shown);
         while (end < line.size() && !startsCharacter(line[end])) ++end;
         if (begin > 0) before = "...";
         if (end < line.size()) after = "...";

@@ -15,7 +15,7 @@ struct LoadState {
     bool fresh = false;
     const LineFacts* cause = nullptr;  ///< the line that made it stale; null: never computed
 };
-using States = std::map<std::string, LoadState>;  ///< by fluid
+using LoadStates = std::map<std::string, LoadState>;  ///< by fluid
 
 FieldKey loadOf(const std::string& fluid) {
     return {fluid, std::string(pseudo_field::fresh_viscous_load)};
@@ -27,9 +27,9 @@ class LoadCheck {
         : facts_(facts), flow_(flow), issues_(issues) {}
 
     void run() {
-        States initial;
+        LoadStates initial;
         for (const BodyFacts& body : facts_.bodies) initial[body.name];
-        const std::vector<States> before = solveForward(flow_, initial, act, meet);
+        const std::vector<LoadStates> before = solveForward(flow_, initial, act, meet);
         for (std::size_t k = 0; k < flow_.nodes().size(); ++k)
             if (const LineFacts* line = flow_.nodes()[k].line)
                 for (const auto& [fluid, state] : before[k])
@@ -38,7 +38,7 @@ class LoadCheck {
     }
 
  private:
-    static void act(const FlowNode& node, States& states) {
+    static void act(const FlowNode& node, LoadStates& states) {
         if (!node.line) return;
         for (auto& [fluid, state] : states) {
             if (state.fresh && has(*node.line, AccessMode::write, {fluid, "velocity"}))
@@ -47,7 +47,7 @@ class LoadCheck {
                 state = {true, nullptr};
         }
     }
-    static bool meet(States& into, const States& from) {
+    static bool meet(LoadStates& into, const LoadStates& from) {
         bool changed = false;
         for (auto& [fluid, state] : into) {
             const LoadState& other = from.at(fluid);

@@ -17,7 +17,7 @@ struct ListState {
     const LineFacts* cause = nullptr;  ///< the line that made it stale or invalid
 };
 /// One for each list.
-using States = std::vector<ListState>;
+using ListStates = std::vector<ListState>;
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -50,11 +50,11 @@ class NeighborCheck {
 
     void run() {
         findNeverRebuilt();
-        const auto transfer = [&](const FlowNode& node, States& states) {
+        const auto transfer = [&](const FlowNode& node, ListStates& states) {
             if (node.line) act(*node.line, states);
         };
-        const std::vector<States> before =
-            solveForward(flow_, States(lists_.size()), transfer, meet);
+        const std::vector<ListStates> before =
+            solveForward(flow_, ListStates(lists_.size()), transfer, meet);
         for (std::size_t k = 0; k < flow_.nodes().size(); ++k)
             if (flow_.nodes()[k].line) judge(*flow_.nodes()[k].line, before[k]);
         for (const std::size_t end : flow_.loopEnds()) judgeRestart(end, before[end]);
@@ -78,7 +78,7 @@ class NeighborCheck {
         }
     }
 
-    void act(const LineFacts& line, States& states) const {
+    void act(const LineFacts& line, ListStates& states) const {
         for (std::size_t k = 0; k < lists_.size(); ++k) {
             const ListFacts& list = lists_[k];
             ListState& state = states[k];
@@ -92,7 +92,7 @@ class NeighborCheck {
         }
     }
 
-    static bool meet(States& into, const States& from) {
+    static bool meet(ListStates& into, const ListStates& from) {
         bool changed = false;
         for (std::size_t k = 0; k < into.size(); ++k) {
             if (from[k].level >= into[k].level) continue;
@@ -136,7 +136,7 @@ class NeighborCheck {
                            remedy(list)));
     }
 
-    void judge(const LineFacts& line, const States& states) {
+    void judge(const LineFacts& line, const ListStates& states) {
         for (std::size_t k = 0; k < lists_.size(); ++k) {
             const ListFacts& list = lists_[k];
             const ListState& state = states[k];
@@ -164,7 +164,7 @@ class NeighborCheck {
 
     /// A restart rebuilds lists from the positions at the end of a step. Lists that are older
     /// than these positions and still used in the next step cannot come back.
-    void judgeRestart(std::size_t end, const States& at_end) {
+    void judgeRestart(std::size_t end, const ListStates& at_end) {
         for (std::size_t k = 0; k < lists_.size(); ++k) {
             const ListFacts& list = lists_[k];
             if (at_end[k].level != Level::stale) continue;
