@@ -50,7 +50,7 @@ std::string quoted(const std::string& text) {
     return out + "\"";
 }
 
-std::string scalar(const Node& node) {
+std::string scalarText(const Node& node) {
     const bool plain = isPlainSafe(node.text) && !(node.quoted && looksLikeValue(node.text));
     return plain ? node.text : quoted(node.text);
 }
@@ -58,7 +58,7 @@ std::string scalar(const Node& node) {
 /// Lists of scalars, and lists of those, fit on one line.
 std::string flow(const Node& node) {
     if (node.isNull()) return "null";
-    if (node.isScalar()) return scalar(node);
+    if (node.isScalar()) return scalarText(node);
     std::string out;
     for (const Node& item : node.items) out += (out.empty() ? "" : ", ") + flow(item);
     return "[" + out + "]";
