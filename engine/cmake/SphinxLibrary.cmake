@@ -30,9 +30,9 @@ target_compile_definitions(sphinx_flags INTERFACE EIGEN_DONT_VECTORIZE)
 # For code that no step of a run waits for: takes a fifth less to compile.
 set(SPHINX_COLD_OPTIONS $<$<CONFIG:Release>:-O1>)
 
-# What the files of one room include and instantiate is most of the work of compiling them, so that the
-# files of a room of cold code are compiled as one. OFF compiles each alone, which shows whether it
-# includes all that it uses.
+# What the files of one folder include and instantiate is most of the work of compiling them, so that
+# they are compiled as one where no loop is hot. OFF compiles each alone, which shows whether it includes
+# all that it uses.
 option(SPHINX_UNITE "Compile the files of a folder together where no loop is hot" ON)
 
 # sphinx_unite(RESULT sources...): one generated file for each folder, which includes its sources.
@@ -59,15 +59,20 @@ function(sphinx_unite RESULT)
 endfunction()
 
 # sphinx_library(core [COLD] [UNITE] LINK_PUBLIC ... LINK_PRIVATE ... ALONE ...): engine/core/**.cpp as
-# sphinx_core; ALONE are files of a folder to UNITE that are compiled by themselves.
+# sphinx_core; ALONE are folders and files of those to UNITE that are compiled by themselves.
 function(sphinx_library NAME)
   cmake_parse_arguments(ARG "COLD;UNITE" "" "LINK_PUBLIC;LINK_PRIVATE;ALONE" ${ARGN})
   file(GLOB_RECURSE SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/${NAME}/*.cpp)
   if(ARG_UNITE AND SPHINX_UNITE)
-    list(TRANSFORM ARG_ALONE PREPEND ${CMAKE_SOURCE_DIR}/engine/)
-    list(REMOVE_ITEM SOURCES ${ARG_ALONE})
+    set(ALONE)
+    foreach(PART ${ARG_ALONE})
+      set(FOUND ${SOURCES})
+      list(FILTER FOUND INCLUDE REGEX "/engine/${PART}(/|$)")
+      list(APPEND ALONE ${FOUND})
+    endforeach()
+    list(REMOVE_ITEM SOURCES ${ALONE})
     sphinx_unite(SOURCES ${SOURCES})
-    list(APPEND SOURCES ${ARG_ALONE})
+    list(APPEND SOURCES ${ALONE})
   endif()
   if(SOURCES)
     add_library(sphinx_${NAME} STATIC ${SOURCES})
