@@ -16,6 +16,8 @@ struct Clock {
     /// Start of the interval that the layer covers, a step of the layer around it; for the
     /// outermost layer of its own step. Set anew in every step, so no state.
     double interval_start = 0;
+    /// In the calls of `start` there is no step yet, and dt means nothing.
+    bool is_start = false;
 
     void transfer(Archive& archive) {
         archive.value("time", time);

@@ -12,14 +12,22 @@
 
 namespace sphinx {
 
-/// One entry of `dynamics`: it acts when a line of the loop calls it. A virtual call a line, never
-/// one a particle.
+/// Where the particles of a run come from.
+enum class Origin { start, restart };
+
+/// One entry of `dynamics`: its actions, which the declaration binds to member functions, run when
+/// lines of the loop call them. Constructors ask for fields and relations; they change no body.
 class Method {
  public:
     virtual ~Method() = default;
 
-    /// Runs the action of that index in the declaration (methods without named actions have one).
-    virtual void run(int action, const Clock& clock) = 0;
+    /// Once, when all methods are made: tells its body what the body has to know at all times,
+    /// whether or not a line is under way (gravity, that a part is clamped). There may be no
+    /// particles yet.
+    virtual void announce() {}
+    /// Once, when the particles are there and before anything runs: builds what follows from the
+    /// initial configuration, such as its lists.
+    virtual void prepare(Origin) {}
     /// Particles that one call works on, for the profile's ns per particle.
     virtual std::size_t workSize() const = 0;
     /// The window of a line that has called it is over (`until`): takes back what it has left for
@@ -28,6 +36,10 @@ class Method {
     /// State besides particle fields.
     virtual void transfer(Archive&) {}
 };
+
+/// What a line of the loop calls: an action of a method, bound to the class that has it. An
+/// indirect call a line, never one a particle.
+using ActionCall = void (*)(Method&, const Clock&);
 
 /// A method that a layer's `dt` may name.
 class TimeStepMethod {

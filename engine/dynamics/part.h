@@ -25,11 +25,9 @@ class Part {
     std::size_t size() const { return part_ ? part_->particles.size() : body_->size(); }
     /// Index in the body of the n-th particle.
     std::size_t operator[](std::size_t n) const { return part_ ? part_->particles[n] : n; }
-    /// Makes images (Body::isImage), also of those that it has later. A whole body has none.
+    /// Body::findShares makes images of its particles. A whole body has none.
     void mirror() {
-        if (!part_) return;
-        part_->mirrors = true;
-        body_->findShares();
+        if (part_) part_->mirrors = true;
     }
     /// Those that follow others because of this part; ascending.
     std::vector<Index> images() const {

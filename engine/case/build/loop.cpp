@@ -4,6 +4,9 @@
 
 #include "loop/flow/zeroing.h"
 
+#include <algorithm>
+#include <cassert>
+
 namespace sphinx::model {
 namespace {
 
@@ -12,7 +15,7 @@ template <int Dim>
 class ZeroField final : public Method {
  public:
     ZeroField(sphinx::Body<Dim>& body, FieldBase& field) : body_(body), field_(field) {}
-    void run(int, const Clock&) override { field_.setZero(); }
+    void run(const Clock&) { field_.setZero(); }
     std::size_t workSize() const override { return body_.size(); }
 
  private:
@@ -20,16 +23,20 @@ class ZeroField final : public Method {
     FieldBase& field_;
 };
 
-loop::Call makeCall(const Step& step, Method* method) {
+template <int Dim>
+loop::Call makeCall(const Case& model, const Step& step, const Methods<Dim>& methods) {
     const std::string label =
         step.action.empty() ? step.method.text : step.method.text + "." + step.action;
-    return {label, method, step.action_index,
+    const Component& component = *model.findMethod(step.method.text);
+    const input::Action& action = component.declaration->actions()[step.action_index];
+    return {label, methods.method(component.name),
+            action.payload<BoundAction>().template call<Dim>(),
             step.every ? triggerOf(*step.every) : std::optional<loop::Trigger>{}, step.window};
 }
 
 template <int Dim>
-loop::Layer makeLayer(const Layer& source, const loop::LayerFacts& facts, World<Dim>& world,
-                      Methods<Dim>& methods) {
+loop::Layer makeLayer(const Case& model, const Layer& source, const loop::LayerFacts& facts,
+                      World<Dim>& world, Methods<Dim>& methods) {
     loop::Layer layer;
     layer.name = source.name;
     for (const Name& name : source.dt_methods)
@@ -41,18 +48,22 @@ loop::Layer makeLayer(const Layer& source, const loop::LayerFacts& facts, World<
     for (std::size_t k = 0; k < source.steps.size(); ++k) {
         for (; zeroed < zeroings.size() && zeroings[zeroed].before == k; ++zeroed) {
             const loop::Zeroing& z = zeroings[zeroed];
+            const auto zero = [](Method& method, const Clock& clock) {
+                static_cast<ZeroField<Dim>&>(method).run(clock);
+            };
             layer.steps.push_back({loop::Call{"zero " + z.field + " of " + z.body,
                                               methods.zero(*world.find(z.body), z.field),
-                                              0,
+                                              zero,
                                               {},
                                               {}}});
         }
         const Step& step = source.steps[k];
         if (step.layer)
-            layer.steps.push_back({makeLayer(
-                *step.layer, std::get<loop::LayerFacts>(facts.steps[k].value), world, methods)});
+            layer.steps.push_back(
+                {makeLayer(model, *step.layer, std::get<loop::LayerFacts>(facts.steps[k].value),
+                           world, methods)});
         else
-            layer.steps.push_back({makeCall(step, methods.method(step.method.text))});
+            layer.steps.push_back({makeCall(model, step, methods)});
     }
     return layer;
 }
@@ -72,7 +83,7 @@ std::optional<loop::Trigger> triggerOf(const Every& every) {
 }
 
 template <int Dim>
-Methods<Dim>::Methods(const Case& model, Context<Dim>& context) {
+Methods<Dim>::Methods(const Case& model, Context<Dim>& context) : world_(&context.world) {
     for (const Component& c : model.dynamics) {
         if (!model.calls(c.name)) continue;
         const void* parameters = c.parameters.get();
@@ -80,8 +91,23 @@ Methods<Dim>::Methods(const Case& model, Context<Dim>& context) {
             time_steps_[c.name] =
                 c.declaration->builder<Factory<TimeStepMethod>>().make(parameters, context);
         else
-            methods_[c.name] = c.declaration->builder<Factory<Method>>().make(parameters, context);
+            methods_.emplace_back(
+                c.name, c.declaration->builder<Factory<Method>>().make(parameters, context));
     }
+    for (const auto& [name, method] : methods_) method->announce();
+}
+
+template <int Dim>
+void Methods<Dim>::prepare(Origin origin) {
+    for (const auto& body : world_->bodies) body->findShares();
+    for (const auto& [name, method] : methods_) method->prepare(origin);
+}
+
+template <int Dim>
+Method* Methods<Dim>::method(std::string_view name) const {
+    const auto found = std::ranges::find(methods_, name, &Named::first);
+    assert(found != methods_.end());
+    return found->second.get();
 }
 
 template <int Dim>
@@ -112,9 +138,8 @@ loop::Plan buildPlan(const Case& model, const loop::LoopFacts& facts, World<Dim>
     loop::Plan plan;
     plan.start_time = model.loop.start_time;
     plan.end_time = model.loop.end_time;
-    for (const Step& step : model.loop.start)
-        plan.start.push_back(makeCall(step, methods.method(step.method.text)));
-    plan.outermost = makeLayer(model.loop.layer, facts.outermost, world, methods);
+    for (const Step& step : model.loop.start) plan.start.push_back(makeCall(model, step, methods));
+    plan.outermost = makeLayer(model, model.loop.layer, facts.outermost, world, methods);
     return plan;
 }
 

@@ -4,12 +4,15 @@
 
 #include "case/build/loop_facts.h"
 #include "case/model/model.h"
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "loop/plan/plan.h"
 
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sphinx::model {
 
@@ -18,9 +21,13 @@ namespace sphinx::model {
 template <int Dim>
 class Methods {
  public:
+    /// Has all of them announce.
     Methods(const Case& model, Context<Dim>& context);
 
-    Method* method(const std::string& name) const { return methods_.at(name).get(); }
+    /// Once, when the particles are there.
+    void prepare(Origin origin);
+
+    Method* method(std::string_view name) const;
     TimeStepMethod* timeStep(const std::string& name) const { return time_steps_.at(name).get(); }
     /// A method that sets a field to zero; it lives as long as this object.
     Method* zero(sphinx::Body<Dim>& body, const std::string& field);
@@ -31,7 +38,9 @@ class Methods {
     void transfer(Archive& archive);
 
  private:
-    std::map<std::string, std::unique_ptr<Method>> methods_;
+    World<Dim>* world_;
+    using Named = std::pair<std::string, std::unique_ptr<Method>>;
+    std::vector<Named> methods_;  // in the order of the case
     std::map<std::string, std::unique_ptr<TimeStepMethod>> time_steps_;
     std::vector<std::unique_ptr<Method>> zeros_;
 };

@@ -24,7 +24,6 @@ void fillParts(const Case& model, World<Dim>& world) {
             for (std::size_t i = 0; i < body.size(); ++i)
                 if (shape->contains(start[i])) particles.push_back(static_cast<Index>(i));
         }
-        body.findShares();
     }
 }
 

@@ -63,6 +63,7 @@ class Simulation {
         outputs_->addTo(plan);
         runner_ = std::make_unique<loop::Runner>(std::move(plan));
         if (resuming()) restore();
+        methods_->prepare(resuming() ? Origin::restart : Origin::start);
     }
 
     int run() {

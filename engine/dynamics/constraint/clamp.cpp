@@ -14,23 +14,18 @@ Clamp<Dim>::Clamp(Context<Dim>& context, Part<Dim> part)
       external_(part.body().particles.vector(fields::external_acceleration)),
       pressure_force_(part.body().particles.vector(fields::pressure_force)),
       viscous_force_(part.body().particles.vector(fields::viscous_force)),
-      mass_(part.body().particles.scalar(fields::mass)) {
-    part_.mirror();
-}
+      mass_(part.body().particles.scalar(fields::mass)) {}
 
 template <int Dim>
-void Clamp<Dim>::prepare() {
-    if (prepared_) return;
+void Clamp<Dim>::prepare(Origin) {
     relations_->build(*relation_);
     images_ = part_.images();
     links_ = mirrorImages(part_, images_, *relation_, relations_->domain());
-    prepared_ = true;
 }
 
 template <int Dim>
-void Clamp<Dim>::run(int, const Clock& clock) {
-    prepare();
-    if (clock.dt > 0) {
+void Clamp<Dim>::run(const Clock& clock) {
+    if (!clock.is_start) {
         const auto load = [&](Index i) -> Vec<Dim> {
             return mass_[i] * external_[i] + pressure_force_[i] + viscous_force_[i];
         };
@@ -51,7 +46,10 @@ void Clamp<Dim>::run(int, const Clock& clock) {
 
 void declareClamp(input::Registry& registry) {
     using P = ClampParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "constraint.clamp");
+    auto& d = declareMethod<P>(
+        registry, "constraint.clamp", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<Clamp<Dim>>(context, Part<Dim>(context.world, p.part));
+        });
     d.summary(
         "Clamps an elastic body along the surface of a part, wherever it runs through the lattice; "
         "particles within mirror the motion of the others");
@@ -62,7 +60,7 @@ void declareClamp(input::Registry& registry) {
     d.citation("mirror particles as in Libersky et al. 1993, doi:10.1006/jcph.1993.1199");
     d.required("part", &P::part, input::partReference({"elastic"}),
                "part of a body; particles that it covers by more than a quarter have no mass");
-    d.action("", "between the halves of the step, and at the start before the correction")
+    d.action("between the halves of the step, and at the start before the correction")
         .reads("part", {"initial_position", "volume", "velocity", "mass", "acceleration",
                         "external_acceleration", "pressure_force", "viscous_force"})
         .writes("part", {"velocity", "acceleration"})
@@ -70,9 +68,6 @@ void declareClamp(input::Registry& registry) {
         .throughout(
             "the particles behind its surface have no mass of their own as long as it is there; "
             "constraint.fix can let go");
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<Clamp<Dim>>(context, Part<Dim>(context.world, p.part));
-    }));
 }
 
 template class Clamp<2>;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
 #include "dynamics/constraint/mirror_images.h"
 #include "dynamics/constraint/support.h"
+#include "dynamics/declare.h"
 
 namespace sphinx::constraint {
 
@@ -24,21 +24,20 @@ template <int Dim>
 class Clamp final : public Method, public Support<Dim> {
  public:
     Clamp(Context<Dim>& context, Part<Dim> part);
-    void run(int action, const Clock& clock) override;
+    void announce() override { part_.mirror(); }
+    void prepare(Origin) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
 
     const Body<Dim>& supported() const override { return part_.body(); }
     void transfer(Archive& archive) override { this->transferReaction(archive); }
 
  private:
-    void prepare();
-
     Relations<Dim>* relations_;
     Part<Dim> part_;
     ReferenceRelation<Dim>* relation_;
     std::vector<Index> images_;
     std::vector<ImageLink> links_;
-    bool prepared_ = false;
 
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& acceleration_;
@@ -50,8 +49,5 @@ class Clamp final : public Method, public Support<Dim> {
 
 /// Registers constraint.clamp.
 void declareClamp(input::Registry& registry);
-
-extern template class Clamp<2>;
-extern template class Clamp<3>;
 
 }  // namespace sphinx::constraint

@@ -16,7 +16,7 @@ Fix<Dim>::Fix(Part<Dim> part, const std::vector<int>& directions)
 }
 
 template <int Dim>
-void Fix<Dim>::run(int, const Clock& clock) {
+void Fix<Dim>::run(const Clock& clock) {
     Vec<Dim> momentum = parallelReduce(
         part_.size(), Vec<Dim>(Vec<Dim>::Zero()),
         [&](std::size_t begin, std::size_t end) {
@@ -32,23 +32,23 @@ void Fix<Dim>::run(int, const Clock& clock) {
             return sum;
         },
         [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
-    if (clock.dt > 0) this->reaction_ = -momentum / clock.dt;
+    if (!clock.is_start) this->reaction_ = -momentum / clock.dt;
 }
 
 void declareFix(input::Registry& registry) {
     using P = FixParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "constraint.fix");
+    auto& d = declareMethod<P>(
+        registry, "constraint.fix", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<Fix<Dim>>(Part<Dim>(context.world, p.part), p.directions);
+        });
     d.summary("Holds particles of an elastic body: no motion, or none along some axes");
     d.required("part", &P::part, input::partReference({"elastic"}), "body, or part of a body");
     d.optional("directions", &P::directions, input::axes(),
                "axes along which nothing moves; without: all");
-    d.action("", "between the halves of the step")
+    d.action("between the halves of the step")
         .reads("part", {"velocity", "mass"})
         .writes("part", {"velocity"})
         .within("part", "step");
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<Fix<Dim>>(Part<Dim>(context.world, p.part), p.directions);
-    }));
 }
 
 template class Fix<2>;

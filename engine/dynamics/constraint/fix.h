@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
 #include "dynamics/constraint/support.h"
+#include "dynamics/declare.h"
 #include "dynamics/part.h"
 
 #include <array>
@@ -22,7 +22,7 @@ template <int Dim>
 class Fix final : public Method, public Support<Dim> {
  public:
     Fix(Part<Dim> part, const std::vector<int>& directions);
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
     void rest() override { this->letGo(); }
 
@@ -38,8 +38,5 @@ class Fix final : public Method, public Support<Dim> {
 
 /// Registers constraint.fix.
 void declareFix(input::Registry& registry);
-
-extern template class Fix<2>;
-extern template class Fix<3>;
 
 }  // namespace sphinx::constraint

@@ -44,9 +44,9 @@ void PrescribedMotion<Dim>::requireFinite(std::initializer_list<double> times) c
 }
 
 template <int Dim>
-void PrescribedSolidMotion<Dim>::run(int, const Clock& clock) {
+void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
+    if (clock.is_start) return;
     const double dt = clock.dt;
-    if (!(dt > 0)) return;  // in start there is no step
     auto& position = this->position_;
     auto& velocity = this->velocity_;
     const auto& mass = this->part_.body().particles.scalar(fields::mass);
@@ -92,9 +92,9 @@ double PrescribedWallMotion<Dim>::wrapped(double x, int axis) const {
 }
 
 template <int Dim>
-void PrescribedWallMotion<Dim>::run(int, const Clock& clock) {
+void PrescribedWallMotion<Dim>::run(const Clock& clock) {
+    if (clock.is_start) return;
     const double dt = clock.dt;
-    if (!(dt > 0)) return;  // in start there is no step
     const double half = 0.5 * dt;
     auto& position = this->position_;
     auto& velocity = this->velocity_;
@@ -135,7 +135,16 @@ void PrescribedWallMotion<Dim>::rest() {
 
 void declarePrescribedMotion(input::Registry& registry) {
     using P = PrescribedMotionParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "constraint.prescribed_motion");
+    auto& d = declareMethod<P>(
+        registry, "constraint.prescribed_motion",
+        []<int Dim>(const P& p, Context<Dim>& context) -> std::unique_ptr<PrescribedMotion<Dim>> {
+            const Part<Dim> part(context.world, p.part);
+            if (dynamic_cast<const ElasticSolid*>(part.body().material.get()))
+                return std::make_unique<PrescribedSolidMotion<Dim>>(context.world, part,
+                                                                    p.displacement, p.directions);
+            return std::make_unique<PrescribedWallMotion<Dim>>(context.world, part, p.displacement,
+                                                               p.directions);
+        });
     d.summary(
         "Moves particles of a solid as expressions of place and time say: of an elastic body "
         "between the halves of its step, of a rigid one (a wall that moves) at the start of "
@@ -150,22 +159,13 @@ void declarePrescribedMotion(input::Registry& registry) {
                "each direction; zero at the start");
     d.optional("directions", &P::directions, input::axes(),
                "axes along which the motion is prescribed; without: all");
-    d.action("",
-             "elastic: between the halves of the step; rigid: before the fluid's step, whose "
-             "neighbors are stale from then on")
+    d.action(
+         "elastic: between the halves of the step; rigid: before the fluid's step, whose "
+         "neighbors are stale from then on")
         .reads("part", {"initial_position", "position", "velocity", "acceleration", "mass"})
         .writes("part", {"position", "velocity", "acceleration"})
         .releases("part", {"velocity", "acceleration"})
         .within("part", "step");
-    d.builder(factory<Method, P>(
-        []<int Dim>(const P& p, Context<Dim>& context) -> std::unique_ptr<Method> {
-            const Part<Dim> part(context.world, p.part);
-            if (dynamic_cast<const ElasticSolid*>(part.body().material.get()))
-                return std::make_unique<PrescribedSolidMotion<Dim>>(context.world, part,
-                                                                    p.displacement, p.directions);
-            return std::make_unique<PrescribedWallMotion<Dim>>(context.world, part, p.displacement,
-                                                               p.directions);
-        }));
 }
 
 template class PrescribedMotion<2>;

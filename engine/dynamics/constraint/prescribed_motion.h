@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
 #include "dynamics/constraint/support.h"
+#include "dynamics/declare.h"
 #include "dynamics/part.h"
 #include "input/expressions/vector_at_time.h"
 
@@ -26,6 +26,7 @@ class PrescribedMotion : public Method {
     PrescribedMotion(const World<Dim>& world, Part<Dim> part,
                      std::vector<input::FieldExpression> displacement,
                      const std::vector<int>& directions);
+    virtual void run(const Clock& clock) = 0;
     std::size_t workSize() const override { return part_.size(); }
 
  protected:
@@ -53,7 +54,7 @@ template <int Dim>
 class PrescribedSolidMotion final : public PrescribedMotion<Dim>, public Support<Dim> {
  public:
     using PrescribedMotion<Dim>::PrescribedMotion;
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock) override;
     void rest() override { this->letGo(); }
     const Body<Dim>& supported() const override { return this->part_.body(); }
     void transfer(Archive& archive) override { this->transferReaction(archive); }
@@ -69,7 +70,7 @@ class PrescribedWallMotion final : public PrescribedMotion<Dim> {
     PrescribedWallMotion(const World<Dim>& world, Part<Dim> part,
                          std::vector<input::FieldExpression> displacement,
                          const std::vector<int>& directions);
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock) override;
     void rest() override;
 
  private:
@@ -81,12 +82,5 @@ class PrescribedWallMotion final : public PrescribedMotion<Dim> {
 
 /// Registers constraint.prescribed_motion.
 void declarePrescribedMotion(input::Registry& registry);
-
-extern template class PrescribedMotion<2>;
-extern template class PrescribedMotion<3>;
-extern template class PrescribedSolidMotion<2>;
-extern template class PrescribedSolidMotion<3>;
-extern template class PrescribedWallMotion<2>;
-extern template class PrescribedWallMotion<3>;
 
 }  // namespace sphinx::constraint

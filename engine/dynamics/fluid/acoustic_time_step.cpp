@@ -24,16 +24,16 @@ double AcousticTimeStep<Dim>::estimate() {
 
 void declareAcousticTimeStep(input::Registry& registry) {
     using P = AcousticTimeStepParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.acoustic_time_step");
+    auto& d = declareTimeStep<P>(
+        registry, "fluid.acoustic_time_step", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<AcousticTimeStep<Dim>>(bodyOf(context, p.body), p.cfl);
+        });
     d.summary("Time step by the speed of sound");
     d.formula("guide (53): cfl h / (c0 + abs(v)_max)");
     d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
     d.timeStep("").reads("body", {"velocity"});
-    d.builder(factory<TimeStepMethod, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<AcousticTimeStep<Dim>>(bodyOf(context, p.body), p.cfl);
-    }));
 }
 
 template class AcousticTimeStep<2>;

@@ -30,7 +30,11 @@ double AdvectionTimeStep<Dim>::estimate() {
 
 void declareAdvectionTimeStep(input::Registry& registry) {
     using P = AdvectionTimeStepParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.advection_time_step");
+    auto& d = declareTimeStep<P>(registry, "fluid.advection_time_step",
+                                 []<int Dim>(const P& p, Context<Dim>& context) {
+                                     return std::make_unique<AdvectionTimeStep<Dim>>(
+                                         bodyOf(context, p.body), p.reference_speed, p.cfl);
+                                 });
     d.summary("Time step by advection and viscosity");
     d.formula("guide (52): cfl min(h / max(abs(v)_max, reference_speed), h^2 / nu)");
     d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
@@ -39,10 +43,6 @@ void declareAdvectionTimeStep(input::Registry& registry) {
                "typical speed of the flow; keeps the step finite while the fluid is at rest");
     d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
     d.timeStep("").reads("body", {"velocity"});
-    d.builder(factory<TimeStepMethod, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<AdvectionTimeStep<Dim>>(bodyOf(context, p.body), p.reference_speed,
-                                                        p.cfl);
-    }));
 }
 
 template class AdvectionTimeStep<2>;

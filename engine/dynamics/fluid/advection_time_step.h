@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 namespace sphinx::fluid {
 
@@ -32,8 +32,5 @@ class AdvectionTimeStep final : public TimeStepMethod {
 
 /// Registers fluid.advection_time_step.
 void declareAdvectionTimeStep(input::Registry& registry);
-
-extern template class AdvectionTimeStep<2>;
-extern template class AdvectionTimeStep<3>;
 
 }  // namespace sphinx::fluid

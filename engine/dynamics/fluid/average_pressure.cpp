@@ -10,12 +10,16 @@ template <int Dim>
 AveragePressure<Dim>::AveragePressure(Body<Dim>& body)
     : body_(&body),
       pressure_(body.particles.scalar(fields::pressure)),
-      average_(body.particles.scalar(fields::average_pressure)) {
-    for (std::size_t i = 0; i < body.size(); ++i) average_[i] = pressure_[i];
+      average_(body.particles.scalar(fields::average_pressure)) {}
+
+template <int Dim>
+void AveragePressure<Dim>::prepare(Origin origin) {
+    if (origin == Origin::restart) return;
+    for (std::size_t i = 0; i < body_->size(); ++i) average_[i] = pressure_[i];
 }
 
 template <int Dim>
-void AveragePressure<Dim>::run(int, const Clock& clock) {
+void AveragePressure<Dim>::run(const Clock& clock) {
     if (clock.interval_start != interval_start_) {
         interval_start_ = clock.interval_start;
         elapsed_ = 0;
@@ -29,16 +33,16 @@ void AveragePressure<Dim>::run(int, const Clock& clock) {
 
 void declareAveragePressure(input::Registry& registry) {
     using P = AveragePressureParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.average_pressure");
+    auto& d = declareMethod<P>(
+        registry, "fluid.average_pressure", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<AveragePressure<Dim>>(bodyOf(context, p.body));
+        });
     d.summary("Pressure of a fluid, averaged over the substeps of an interval of its layer");
     d.formula("average p = sum_k p_k dt_k / sum_k dt_k over the substeps k of an interval");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
-    d.action("", "after the first half of pressure relaxation")
+    d.action("after the first half of pressure relaxation")
         .reads("body", {"pressure"})
         .writes("body", {"average_pressure"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<AveragePressure<Dim>>(bodyOf(context, p.body));
-    }));
 }
 
 template class AveragePressure<2>;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 #include <limits>
 
@@ -21,7 +21,8 @@ class AveragePressure final : public Method {
  public:
     explicit AveragePressure(Body<Dim>& body);
 
-    void run(int action, const Clock& clock) override;
+    void prepare(Origin origin) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
  private:
@@ -35,8 +36,5 @@ class AveragePressure final : public Method {
 
 /// Registers fluid.average_pressure.
 void declareAveragePressure(input::Registry& registry);
-
-extern template class AveragePressure<2>;
-extern template class AveragePressure<3>;
 
 }  // namespace sphinx::fluid

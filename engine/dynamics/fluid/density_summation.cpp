@@ -27,7 +27,7 @@ DensitySummation<Dim>::DensitySummation(Context<Dim>& context, Body<Dim>& body, 
 }
 
 template <int Dim>
-void DensitySummation<Dim>::run(int, const Clock&) {
+void DensitySummation<Dim>::run(const Clock&) {
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             double sum = own_;
@@ -41,7 +41,11 @@ void DensitySummation<Dim>::run(int, const Clock&) {
 
 void declareDensitySummation(input::Registry& registry) {
     using P = DensitySummationParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.density_summation");
+    auto& d = declareMethod<P>(registry, "fluid.density_summation",
+                               []<int Dim>(const P& p, Context<Dim>& context) {
+                                   return std::make_unique<DensitySummation<Dim>>(
+                                       context, bodyOf(context, p.body), p.surface);
+                               });
     d.summary("Density from the sum of the kernel over the neighbors");
     d.formula("guide (54) free: max(rho, rho0 S/S0); (55) confined: rho(start) S/S0");
     d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
@@ -53,12 +57,9 @@ void declareDensitySummation(input::Registry& registry) {
                }),
                "whether the fluid has a free surface");
     d.trait("sums_over_itself");
-    d.action("", "")
+    d.action()
         .reads("body", {"density", "reference_density", "fresh_neighbors"})
         .writes("body", {"density"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<DensitySummation<Dim>>(context, bodyOf(context, p.body), p.surface);
-    }));
 }
 
 template class DensitySummation<2>;

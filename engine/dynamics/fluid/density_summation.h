@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "materials/fluid.h"
 
 namespace sphinx::fluid {
@@ -24,7 +24,7 @@ class DensitySummation final : public Method {
  public:
     DensitySummation(Context<Dim>& context, Body<Dim>& body, Surface surface);
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
  private:
@@ -45,8 +45,5 @@ class DensitySummation final : public Method {
 
 /// Registers fluid.density_summation.
 void declareDensitySummation(input::Registry& registry);
-
-extern template class DensitySummation<2>;
-extern template class DensitySummation<3>;
 
 }  // namespace sphinx::fluid

@@ -58,16 +58,9 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& bo
 }
 
 template <int Dim>
-void PressureRelaxation<Dim>::run(int action, const Clock& clock) {
+void PressureRelaxation<Dim>::firstHalf(const Clock& clock) {
     this->actedAt(clock.time);
-    if (action == 0)
-        firstHalf(clock.dt);
-    else
-        secondHalf(clock.dt);
-}
-
-template <int Dim>
-void PressureRelaxation<Dim>::firstHalf(double dt) {
+    const double dt = clock.dt;
     before_.resize(body_->size());
     after_.resize(body_->size());
     predict(dt);
@@ -76,7 +69,9 @@ void PressureRelaxation<Dim>::firstHalf(double dt) {
 }
 
 template <int Dim>
-void PressureRelaxation<Dim>::secondHalf(double dt) {
+void PressureRelaxation<Dim>::secondHalf(const Clock& clock) {
+    this->actedAt(clock.time);
+    const double dt = clock.dt;
     withRiemann(riemann_, [&]<Riemann R>() { continuity<R>(dt); });
     ++body_->version;
 }
@@ -239,7 +234,11 @@ void PressureRelaxation<Dim>::continuity(double dt) {
 
 void declarePressureRelaxation(input::Registry& registry) {
     using P = PressureRelaxationParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.pressure_relaxation");
+    auto& d = declareMethod<P>(registry, "fluid.pressure_relaxation",
+                               []<int Dim>(const P& p, Context<Dim>& context) {
+                                   return std::make_unique<PressureRelaxation<Dim>>(
+                                       context, bodyOf(context, p.body), p.riemann);
+                               });
     d.summary("Acoustic step of a weakly compressible fluid in two halves around the momentum sum");
     d.formula(
         "guide (51), (56)-(58) as drift-kick-drift; m_i dv_i/dt = -2 sum_j p*_ij e_ij W' V_i V_j, "
@@ -255,7 +254,8 @@ void declarePressureRelaxation(input::Registry& registry) {
                "how pressure and velocity between two particles are found");
     d.trait("sums_over_itself");
     d.action("first_half",
-             "density, pressure and position to the half step; velocity by a whole step")
+             "density, pressure and position to the half step; velocity by a whole step",
+             [](auto& method, const Clock& clock) { method.firstHalf(clock); })
         .reads("body", {"velocity", "mass", "density", "density_rate", "position",
                         "external_acceleration", "neighbors"})
         .reads("neighbors.solid", {"normal", "volume"})
@@ -263,7 +263,8 @@ void declarePressureRelaxation(input::Registry& registry) {
         .reads("neighbors.elastic", {"average_velocity"})
         .writes("body", {"density", "pressure", "volume", "position", "velocity"})
         .opens("body", "step");
-    d.action("second_half", "rate of change of the density; density and position to the full step")
+    d.action("second_half", "rate of change of the density; density and position to the full step",
+             [](auto& method, const Clock& clock) { method.secondHalf(clock); })
         .reads("body", {"velocity", "pressure", "volume", "density", "position",
                         "external_acceleration", "neighbors"})
         .reads("neighbors.solid", {"normal", "volume"})
@@ -271,10 +272,6 @@ void declarePressureRelaxation(input::Registry& registry) {
         .reads("neighbors.elastic", {"average_velocity"})
         .writes("body", {"density_rate", "density", "position"})
         .closes("body", "step");
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<PressureRelaxation<Dim>>(context, bodyOf(context, p.body),
-                                                         p.riemann);
-    }));
 }
 
 template class PressureRelaxation<2>;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/riemann.h"
 #include "dynamics/fluid/solid_load.h"
@@ -36,7 +36,6 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
  public:
     PressureRelaxation(Context<Dim>& context, Body<Dim>& body, Riemann riemann);
 
-    void run(int action, const Clock& clock) override;
     std::size_t workSize() const override { return body_->size(); }
 
     LoadKind loadKind() const override { return LoadKind::pressure; }
@@ -47,8 +46,8 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
     void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                    Field<Vec<Dim>>& force) const override;
 
-    void firstHalf(double dt);
-    void secondHalf(double dt);
+    void firstHalf(const Clock& clock);
+    void secondHalf(const Clock& clock);
 
  private:
     struct Wall {
@@ -87,8 +86,5 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
 
 /// Registers fluid.pressure_relaxation.
 void declarePressureRelaxation(input::Registry& registry);
-
-extern template class PressureRelaxation<2>;
-extern template class PressureRelaxation<3>;
 
 }  // namespace sphinx::fluid

@@ -127,7 +127,7 @@ double ViscousForce<Dim>::factor() const {
 }
 
 template <int Dim>
-void ViscousForce<Dim>::run(int, const Clock& clock) {
+void ViscousForce<Dim>::run(const Clock& clock) {
     this->actedAt(clock.time);
     if (form_ == ViscousForm::laplacian)
         accelerate<ViscousForm::laplacian>();
@@ -222,7 +222,11 @@ void ViscousForce<Dim>::addForces(const Wall& wall, const NeighborList<Dim>& lis
 
 void declareViscousForce(input::Registry& registry) {
     using P = ViscousForceParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "fluid.viscous_force");
+    auto& d = declareMethod<P>(registry, "fluid.viscous_force",
+                               []<int Dim>(const P& p, Context<Dim>& context) {
+                                   return std::make_unique<ViscousForce<Dim>>(
+                                       context, bodyOf(context, p.body), p.wall, p.form);
+                               });
     d.summary("Viscous force between fluid particles and from no-slip walls");
     d.formula(
         "laplacian: dv_i/dt = 2 mu L/m_i sum_j v_ij/r_ij W' V_i V_j; central, guide (35): "
@@ -246,17 +250,13 @@ void declareViscousForce(input::Registry& registry) {
                }),
                "sum over pairs");
     d.trait("sums_over_itself");
-    d.action("", "")
+    d.action()
         .reads("body", {"velocity", "mass", "volume", "neighbors"})
         .reads("neighbors.solid", {"normal", "depth", "volume"})
         .reads("neighbors.rigid", {"velocity"})
         .reads("neighbors.elastic", {"average_velocity"})
         .writes("body", {"fresh_viscous_load"})
         .accumulates("body", {"external_acceleration"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<ViscousForce<Dim>>(context, bodyOf(context, p.body), p.wall,
-                                                   p.form);
-    }));
 }
 
 template class ViscousForce<2>;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/fluid/solid_load.h"
 #include "dynamics/fluid/wall_fields.h"
 #include "materials/fluid.h"
@@ -46,7 +46,7 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
  public:
     ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip slip, ViscousForm form);
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
     LoadKind loadKind() const override { return LoadKind::viscous; }
@@ -90,8 +90,5 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
 
 /// Registers fluid.viscous_force.
 void declareViscousForce(input::Registry& registry);
-
-extern template class ViscousForce<2>;
-extern template class ViscousForce<3>;
 
 }  // namespace sphinx::fluid

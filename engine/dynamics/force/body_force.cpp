@@ -14,7 +14,7 @@ BodyForce<Dim>::BodyForce(Body<Dim>& body, std::vector<input::FieldExpression> a
       external_(body.particles.vector(fields::external_acceleration)) {}
 
 template <int Dim>
-void BodyForce<Dim>::run(int, const Clock& clock) {
+void BodyForce<Dim>::run(const Clock& clock) {
     const auto& position = body_->particles.position();
     const input::VectorAtTime<Dim> acceleration(acceleration_, clock.time);
     parallelFor(body_->size(), [&](std::size_t i) { external_[i] += acceleration(position[i]); });
@@ -22,17 +22,17 @@ void BodyForce<Dim>::run(int, const Clock& clock) {
 
 void declareBodyForce(input::Registry& registry) {
     using P = BodyForceParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "force.body_force");
+    auto& d = declareMethod<P>(
+        registry, "force.body_force", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<BodyForce<Dim>>(bodyOf(context, p.body), p.acceleration);
+        });
     d.summary("Force per mass on a body, as expressions of place and time");
     d.formula("dv_i/dt += f(r_i, t)");
     d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}),
                "fluid or elastic body");
     d.required("acceleration", &P::acceleration, input::fieldVector(unit::acceleration),
                "force per mass, one expression of x, y, z, t for each direction");
-    d.action("", "").reads("body", {"position"}).accumulates("body", {"external_acceleration"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<BodyForce<Dim>>(bodyOf(context, p.body), p.acceleration);
-    }));
+    d.action().reads("body", {"position"}).accumulates("body", {"external_acceleration"});
 }
 
 template class BodyForce<2>;

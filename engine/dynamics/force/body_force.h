@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 namespace sphinx::force {
 
@@ -18,7 +18,7 @@ class BodyForce final : public Method {
  public:
     BodyForce(Body<Dim>& body, std::vector<input::FieldExpression> acceleration);
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
  private:
@@ -29,8 +29,5 @@ class BodyForce final : public Method {
 
 /// Registers force.body_force.
 void declareBodyForce(input::Registry& registry);
-
-extern template class BodyForce<2>;
-extern template class BodyForce<3>;
 
 }  // namespace sphinx::force

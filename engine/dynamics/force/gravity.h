@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 namespace sphinx::force {
 
@@ -18,7 +18,8 @@ class Gravity final : public Method {
  public:
     Gravity(Body<Dim>& body, const Vec<Dim>& acceleration);
 
-    void run(int action, const Clock& clock) override;
+    void announce() override { body_->gravity += acceleration_; }
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
  private:
@@ -29,8 +30,5 @@ class Gravity final : public Method {
 
 /// Registers force.gravity.
 void declareGravity(input::Registry& registry);
-
-extern template class Gravity<2>;
-extern template class Gravity<3>;
 
 }  // namespace sphinx::force

@@ -16,7 +16,7 @@ PointForce<Dim>::PointForce(Part<Dim> part, std::vector<input::FieldExpression> 
       external_(part.body().particles.vector(fields::external_acceleration)) {}
 
 template <int Dim>
-void PointForce<Dim>::run(int, const Clock& clock) {
+void PointForce<Dim>::run(const Clock& clock) {
     const double half = 0.5 * clock.dt;
     const auto& position = part_.body().particles.position();
     const double mass = part_.mass();
@@ -39,7 +39,10 @@ void PointForce<Dim>::run(int, const Clock& clock) {
 
 void declarePointForce(input::Registry& registry) {
     using P = PointForceParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "force.point_force");
+    auto& d = declareMethod<P>(
+        registry, "force.point_force", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<PointForce<Dim>>(Part<Dim>(context.world, p.part), p.force);
+        });
     d.summary(
         "One force on a part of an elastic body, shared by its particles as their masses are");
     d.formula("dv_i/dt += F(t + dt/2)/M, M = sum_j m_j over the part: the forces add up to F");
@@ -47,12 +50,9 @@ void declarePointForce(input::Registry& registry) {
     d.required("force", &P::force, input::fieldVector(unit::force),
                "force on the whole part, one expression of t for each direction; x, y, z are its "
                "centre of mass");
-    d.action("", "before the first half of the body's step, in the same layer")
+    d.action("before the first half of the body's step, in the same layer")
         .reads("part", {"position", "velocity", "mass"})
         .accumulates("part", {"external_acceleration"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<PointForce<Dim>>(Part<Dim>(context.world, p.part), p.force);
-    }));
 }
 
 template class PointForce<2>;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/part.h"
 
 namespace sphinx::force {
@@ -20,7 +20,7 @@ class PointForce final : public Method {
  public:
     PointForce(Part<Dim> part, std::vector<input::FieldExpression> force);
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
 
  private:
@@ -33,8 +33,5 @@ class PointForce final : public Method {
 
 /// Registers force.point_force.
 void declarePointForce(input::Registry& registry);
-
-extern template class PointForce<2>;
-extern template class PointForce<3>;
 
 }  // namespace sphinx::force

@@ -17,7 +17,7 @@ Spring<Dim>::Spring(const Domain<Dim>& domain, Part<Dim> part, double stiffness,
       external_(part.body().particles.vector(fields::external_acceleration)) {}
 
 template <int Dim>
-void Spring<Dim>::run(int, const Clock& clock) {
+void Spring<Dim>::run(const Clock& clock) {
     const double half = 0.5 * clock.dt;
     const auto& position = part_.body().particles.position();
     const double share = 1 / (part_.mass() + damping_ * half);
@@ -31,7 +31,11 @@ void Spring<Dim>::run(int, const Clock& clock) {
 
 void declareSpring(input::Registry& registry) {
     using P = SpringParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "force.spring");
+    auto& d =
+        declareMethod<P>(registry, "force.spring", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<Spring<Dim>>(
+                context.world.domain, Part<Dim>(context.world, p.part), p.stiffness, p.damping);
+        });
     d.summary("Spring and dashpot from a part of an elastic body to where it was at the start");
     d.formula(
         "f_i = -m_i/M (k u_i + c v_i), M = sum_j m_j over the part, u_i = r_i - R_i; all "
@@ -41,13 +45,9 @@ void declareSpring(input::Registry& registry) {
                "stiffness k of the whole part");
     d.optional("damping", &P::damping, input::number(unit::force / unit::velocity).atLeast(0),
                "damping c of the whole part");
-    d.action("", "before the first half of the body's step, in the same layer")
+    d.action("before the first half of the body's step, in the same layer")
         .reads("part", {"initial_position", "position", "velocity", "mass"})
         .accumulates("part", {"external_acceleration"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<Spring<Dim>>(context.world.domain, Part<Dim>(context.world, p.part),
-                                             p.stiffness, p.damping);
-    }));
 }
 
 template class Spring<2>;

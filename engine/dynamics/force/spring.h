@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/part.h"
 
 namespace sphinx::force {
@@ -23,7 +23,7 @@ class Spring final : public Method {
  public:
     Spring(const Domain<Dim>& domain, Part<Dim> part, double stiffness, double damping);
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
 
  private:
@@ -38,8 +38,5 @@ class Spring final : public Method {
 
 /// Registers force.spring.
 void declareSpring(input::Registry& registry);
-
-extern template class Spring<2>;
-extern template class Spring<3>;
 
 }  // namespace sphinx::force

@@ -25,7 +25,7 @@ SurfacePressure<Dim>::SurfacePressure(Part<Dim> part, input::FieldExpression pre
       mass_(part.body().particles.scalar(fields::mass)) {}
 
 template <int Dim>
-void SurfacePressure<Dim>::findAreas() {
+void SurfacePressure<Dim>::prepare(Origin) {
     ParticleSet<Dim>& particles = part_.body().particles;
     const auto& start = particles.vector(fields::initial_position);
     const auto& volume = particles.scalar(fields::volume);
@@ -40,8 +40,7 @@ void SurfacePressure<Dim>::findAreas() {
 }
 
 template <int Dim>
-void SurfacePressure<Dim>::run(int, const Clock& clock) {
-    if (area_.empty()) findAreas();
+void SurfacePressure<Dim>::run(const Clock& clock) {
     const double half = 0.5 * clock.dt;
     const auto& position = part_.body().particles.position();
     parallelFor(part_.size(), [&](std::size_t n) {
@@ -56,7 +55,12 @@ void SurfacePressure<Dim>::run(int, const Clock& clock) {
 
 void declareSurfacePressure(input::Registry& registry) {
     using P = SurfacePressureParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "force.surface_pressure");
+    auto& d = declareMethod<P>(
+        registry, "force.surface_pressure", []<int Dim>(const P& p, Context<Dim>& context) {
+            const Part<Dim> part(context.world, p.part);
+            return std::make_unique<SurfacePressure<Dim>>(
+                part, p.pressure, p.thickness.value_or(part.body().spacing), p.normal);
+        });
     d.summary(
         "Pressure on the surface of an elastic body, which turns and stretches with it; a "
         "layer of particles along the surface carries it");
@@ -79,15 +83,10 @@ void declareSurfacePressure(input::Registry& registry) {
                 return "the normal is that at the start: it must not depend on time";
         return "";
     });
-    d.action("", "before the first half of the body's step, in the same layer")
+    d.action("before the first half of the body's step, in the same layer")
         .reads("part", {"initial_position", "position", "velocity", "volume", "mass",
                         "deformation_gradient", "deformation_rate"})
         .accumulates("part", {"external_acceleration"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        const Part<Dim> part(context.world, p.part);
-        return std::make_unique<SurfacePressure<Dim>>(
-            part, p.pressure, p.thickness.value_or(part.body().spacing), p.normal);
-    }));
 }
 
 template class SurfacePressure<2>;

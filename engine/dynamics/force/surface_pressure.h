@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/part.h"
 
 #include <optional>
@@ -29,17 +29,16 @@ class SurfacePressure final : public Method {
     SurfacePressure(Part<Dim> part, input::FieldExpression pressure, double thickness,
                     std::vector<input::FieldExpression> normal);
 
-    void run(int action, const Clock& clock) override;
+    void prepare(Origin) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
 
  private:
-    void findAreas();
-
     Part<Dim> part_;
     input::FieldExpression pressure_;
     double thickness_;
     std::vector<input::FieldExpression> given_normal_;
-    AlignedVector<Vec<Dim>> area_;  ///< N V/d of the part's particles; empty before the first step
+    AlignedVector<Vec<Dim>> area_;  ///< N V/d of the part's particles
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& external_;
     Field<Mat<Dim>>& gradient_;
@@ -49,8 +48,5 @@ class SurfacePressure final : public Method {
 
 /// Registers force.surface_pressure.
 void declareSurfacePressure(input::Registry& registry);
-
-extern template class SurfacePressure<2>;
-extern template class SurfacePressure<3>;
 
 }  // namespace sphinx::force

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 namespace sphinx::force {
 
@@ -20,7 +20,7 @@ class VelocityDamping final : public Method {
  public:
     VelocityDamping(Body<Dim>& body, double rate);
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
  private:
@@ -31,8 +31,5 @@ class VelocityDamping final : public Method {
 
 /// Registers force.velocity_damping.
 void declareVelocityDamping(input::Registry& registry);
-
-extern template class VelocityDamping<2>;
-extern template class VelocityDamping<3>;
 
 }  // namespace sphinx::force

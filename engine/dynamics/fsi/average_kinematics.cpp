@@ -14,14 +14,14 @@ AverageKinematics<Dim>::AverageKinematics(Body<Dim>& body)
       average_acceleration_(body.particles.vector(fields::average_acceleration)) {}
 
 template <int Dim>
-void AverageKinematics<Dim>::run(int action, const Clock& clock) {
-    const std::size_t n = body_->size();
-    if (action == 0) {
-        old_position_.assign(position_.data(), position_.data() + n);
-        return;
-    }
+void AverageKinematics<Dim>::begin(const Clock&) {
+    old_position_.assign(position_.data(), position_.data() + body_->size());
+}
+
+template <int Dim>
+void AverageKinematics<Dim>::end(const Clock& clock) {
     const double rate = 1 / clock.dt;
-    parallelFor(n, [&](std::size_t i) {
+    parallelFor(body_->size(), [&](std::size_t i) {
         const Vec<Dim> v = rate * (position_[i] - old_position_[i]);
         // The field holds the last mean carried on to the end of its step.
         const Vec<Dim> last = average_velocity_[i] - 0.5 * last_dt_ * average_acceleration_[i];
@@ -38,23 +38,25 @@ void AverageKinematics<Dim>::transfer(Archive& archive) {
 
 void declareAverageKinematics(input::Registry& registry) {
     using P = AverageKinematicsParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "fsi.average_kinematics");
+    auto& d = declareMethod<P>(
+        registry, "fsi.average_kinematics", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<AverageKinematics<Dim>>(bodyOf(context, p.body));
+        });
     d.summary("Velocity and acceleration of an elastic body, averaged over a step of its fluid");
     d.formula(
         "guide 2.2.4: u = (r(t + dt) - r(t))/dt, average a = (u - u of the step before)/dt, "
         "average v = u + a dt/2");
     d.citation("Zhang, Rezavand & Hu 2021, doi:10.1016/j.jcp.2020.110028");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
-    d.action("begin", "before the steps of the solid")
+    d.action("begin", "before the steps of the solid",
+             [](auto& method, const Clock& clock) { method.begin(clock); })
         .reads("body", {"position"})
         .opens("body", "mean");
-    d.action("end", "after them, in the same layer")
+    d.action("end", "after them, in the same layer",
+             [](auto& method, const Clock& clock) { method.end(clock); })
         .reads("body", {"position", "average_velocity", "average_acceleration"})
         .writes("body", {"average_velocity", "average_acceleration"})
         .closes("body", "mean");
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<AverageKinematics<Dim>>(bodyOf(context, p.body));
-    }));
 }
 
 template class AverageKinematics<2>;

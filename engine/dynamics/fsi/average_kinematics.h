@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 namespace sphinx::fsi {
 
@@ -19,7 +19,8 @@ template <int Dim>
 class AverageKinematics final : public Method {
  public:
     explicit AverageKinematics(Body<Dim>& body);
-    void run(int action, const Clock& clock) override;
+    void begin(const Clock&);
+    void end(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
     void transfer(Archive& archive) override;
 
@@ -34,8 +35,5 @@ class AverageKinematics final : public Method {
 
 /// Registers fsi.average_kinematics.
 void declareAverageKinematics(input::Registry& registry);
-
-extern template class AverageKinematics<2>;
-extern template class AverageKinematics<3>;
 
 }  // namespace sphinx::fsi

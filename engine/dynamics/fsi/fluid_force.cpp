@@ -17,7 +17,7 @@ FluidForce<Dim>::FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& 
 }
 
 template <int Dim>
-void FluidForce<Dim>::run(int, const Clock&) {
+void FluidForce<Dim>::run(const Clock&) {
     if (const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind_))
         load->addForces(*solid_, relation_->list, force_);
 }

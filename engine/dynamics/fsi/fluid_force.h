@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/fluid/solid_load.h"
 
 namespace sphinx::fsi {
@@ -19,7 +19,7 @@ class FluidForce : public Method {
  public:
     FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& fluid, fluid::LoadKind kind,
                Field<Vec<Dim>>& force);
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return solid_->size(); }
 
  private:
@@ -30,8 +30,5 @@ class FluidForce : public Method {
     Relation<Dim>* relation_;  // of the solid to the fluid
     Field<Vec<Dim>>& force_;
 };
-
-extern template class FluidForce<2>;
-extern template class FluidForce<3>;
 
 }  // namespace sphinx::fsi

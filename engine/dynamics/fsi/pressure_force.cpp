@@ -6,7 +6,13 @@ namespace sphinx::fsi {
 
 void declarePressureForce(input::Registry& registry) {
     using P = FluidForceParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "fsi.pressure_force");
+    auto& d = declareMethod<P>(
+        registry, "fsi.pressure_force", []<int Dim>(const P& p, Context<Dim>& context) {
+            Body<Dim>& body = bodyOf(context, p.body);
+            return std::make_unique<FluidForce<Dim>>(context, body, bodyOf(context, p.from),
+                                                     fluid::LoadKind::pressure,
+                                                     body.particles.vector(fields::pressure_force));
+        });
     d.summary(
         "Pressure of a fluid on the particles of an elastic body; after the first half of the "
         "fluid's pressure relaxation");
@@ -14,17 +20,11 @@ void declarePressureForce(input::Registry& registry) {
     d.citation("Zhang, Rezavand & Hu 2021, doi:10.1016/j.jcp.2020.110028");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that pushes it");
-    d.action("", "")
+    d.action()
         .reads("body", {"normal", "volume", "average_velocity", "neighbors"})
         .reads("from", {"pressure", "density", "volume", "external_acceleration"})
         .accumulates("body", {"pressure_force"})
         .within("from", "step");
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        Body<Dim>& body = bodyOf(context, p.body);
-        return std::make_unique<FluidForce<Dim>>(context, body, bodyOf(context, p.from),
-                                                 fluid::LoadKind::pressure,
-                                                 body.particles.vector(fields::pressure_force));
-    }));
 }
 
 }  // namespace sphinx::fsi

@@ -100,7 +100,7 @@ double NormalsFromShape<Dim>::depthAlong(const Vec<Dim>& x, const Vec<Dim>& norm
 }
 
 template <int Dim>
-void NormalsFromShape<Dim>::run(int, const Clock&) {
+void NormalsFromShape<Dim>::run(const Clock&) {
     const auto& position = body_->particles.position();
     parallelFor(body_->size(), [&](std::size_t i) {
         const Vec<Dim>& x = position[i];
@@ -126,19 +126,17 @@ void NormalsFromShape<Dim>::run(int, const Clock&) {
 
 void declareNormalsFromShape(input::Registry& registry) {
     using P = NormalsFromShapeParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "geometry.normals_from_shape");
+    auto& d = declareMethod<P>(
+        registry, "geometry.normals_from_shape", []<int Dim>(const P& p, Context<Dim>& context) {
+            std::vector<Body<Dim>*> joined;
+            for (const input::Name& name : p.joined) joined.push_back(&bodyOf(context, name));
+            return std::make_unique<NormalsFromShape<Dim>>(bodyOf(context, p.body), joined);
+        });
     d.summary("Normals and depths of a solid's particles from the signed distance of its shape");
     d.required("body", &P::body, input::bodyReference({"solid"}), "solid body with a shape");
     d.optional("joined", &P::joined, input::list(input::bodyReference({"solid"})),
                "solid bodies that it touches: where they meet is no surface");
-    d.action("", "")
-        .reads("body", {"position"})
-        .writes("body", {"normal", "initial_normal", "depth"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        std::vector<Body<Dim>*> joined;
-        for (const input::Name& name : p.joined) joined.push_back(&bodyOf(context, name));
-        return std::make_unique<NormalsFromShape<Dim>>(bodyOf(context, p.body), joined);
-    }));
+    d.action().reads("body", {"position"}).writes("body", {"normal", "initial_normal", "depth"});
 }
 
 template class NormalsFromShape<2>;

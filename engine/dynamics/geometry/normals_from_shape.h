@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 #include <array>
 #include <cstdint>
@@ -29,7 +29,7 @@ class NormalsFromShape final : public Method {
  public:
     NormalsFromShape(Body<Dim>& body, const std::vector<Body<Dim>*>& joined);
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
  private:
@@ -61,8 +61,5 @@ class NormalsFromShape final : public Method {
 
 /// Registers geometry.normals_from_shape.
 void declareNormalsFromShape(input::Registry& registry);
-
-extern template class NormalsFromShape<2>;
-extern template class NormalsFromShape<3>;
 
 }  // namespace sphinx::geometry

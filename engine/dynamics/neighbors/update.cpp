@@ -31,7 +31,7 @@ std::vector<Body<Dim>*> pieceOf(Body<Dim>& body) {
 
 template <int Dim>
 Update<Dim>::Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies)
-    : context_(context), bodies_(std::move(bodies)) {
+    : context_(&context), bodies_(std::move(bodies)) {
     for (Body<Dim>* body : bodies_) {
         const auto holdsBody = [&](const Group& group) {
             return std::ranges::find(group.bodies, body) != group.bodies.end();
@@ -52,15 +52,15 @@ std::size_t Update<Dim>::workSize() const {
 }
 
 template <int Dim>
-void Update<Dim>::run(int, const Clock& clock) {
+void Update<Dim>::run(const Clock& clock) {
     for (const Group& group : groups_) wrap(group);
     for (Body<Dim>* body : bodies_) findLost(*body, clock);
-    context_.relations.update(bodies_);
+    context_->relations.update(bodies_);
 }
 
 template <int Dim>
 void Update<Dim>::wrap(const Group& group) const {
-    const Domain<Dim>& domain = context_.world.domain;
+    const Domain<Dim>& domain = context_->world.domain;
     for (int k = 0; k < Dim; ++k) {
         if (!domain.periodic[k]) continue;
         const double lower = domain.bounds.lower[k];
@@ -94,7 +94,7 @@ void Update<Dim>::wrap(const Group& group) const {
 
 template <int Dim>
 void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) {
-    const World<Dim>& world = context_.world;
+    const World<Dim>& world = context_->world;
     const Domain<Dim>& domain = world.domain;
     // A wall goes where its motion is prescribed.
     if (dynamic_cast<const Rigid*>(body.material.get())) return;
@@ -156,17 +156,18 @@ void Update<Dim>::tellRemoved(const std::string& message) {
 
 void declareUpdate(input::Registry& registry) {
     using P = UpdateParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "neighbors.update");
+    auto& d = declareMethod<P>(registry, "neighbors.update",
+                               []<int Dim>(const P& p, Context<Dim>& context) {
+                                   std::vector<Body<Dim>*> bodies;
+                                   for (const input::Name& name : p.bodies)
+                                       bodies.push_back(&bodyOf(context, name));
+                                   return std::make_unique<Update<Dim>>(context, std::move(bodies));
+                               });
     d.summary("Rebuilds every neighbor list with one of the bodies on either side");
     d.required("bodies", &P::bodies, input::list(input::bodyReference({"fluid", "solid"})),
                "bodies that have moved");
     d.trait("removes");
-    d.action("", "").reads("bodies", {"position"}).writes("bodies", {"neighbors"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        std::vector<Body<Dim>*> bodies;
-        for (const input::Name& name : p.bodies) bodies.push_back(&bodyOf(context, name));
-        return std::make_unique<Update<Dim>>(context, std::move(bodies));
-    }));
+    d.action().reads("bodies", {"position"}).writes("bodies", {"neighbors"});
 }
 
 template class Update<2>;

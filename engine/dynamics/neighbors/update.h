@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 namespace sphinx::neighbors {
 
@@ -17,7 +17,7 @@ class Update final : public Method {
  public:
     Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies);
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override;
 
  private:
@@ -30,7 +30,7 @@ class Update final : public Method {
     void findLost(Body<Dim>& body, const Clock& clock);
     void tellRemoved(const std::string& message);
 
-    Context<Dim> context_;
+    Context<Dim>* context_;
     std::vector<Body<Dim>*> bodies_;
     std::vector<Group> groups_;
     std::size_t removed_ = 0;  ///< in this run
@@ -39,8 +39,5 @@ class Update final : public Method {
 
 /// Registers neighbors.update.
 void declareUpdate(input::Registry& registry);
-
-extern template class Update<2>;
-extern template class Update<3>;
 
 }  // namespace sphinx::neighbors

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "neighbors/cell_grid.h"
 
 namespace sphinx::particles {
@@ -20,7 +20,7 @@ class Sort final : public Method {
  public:
     explicit Sort(Body<Dim>& body) : body_(&body) {}
 
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
  private:
@@ -30,8 +30,5 @@ class Sort final : public Method {
 
 /// Registers particles.sort.
 void declareSort(input::Registry& registry);
-
-extern template class Sort<2>;
-extern template class Sort<3>;
 
 }  // namespace sphinx::particles

@@ -78,7 +78,10 @@ double AcousticTimeStep<Dim>::estimate() {
 
 void declareAcousticTimeStep(input::Registry& registry) {
     using P = AcousticTimeStepParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "solid.acoustic_time_step");
+    auto& d = declareTimeStep<P>(
+        registry, "solid.acoustic_time_step", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<AcousticTimeStep<Dim>>(bodyOf(context, p.body), p.cfl);
+        });
     d.summary("Time step of an elastic body by its speed of sound, acceleration and damping");
     d.formula(
         "min(cfl h/(c + abs(v)), cfl sqrt(h/abs(a)), rho0 h^2/(4 eta)), c^2 = tangent "
@@ -86,9 +89,6 @@ void declareAcousticTimeStep(input::Registry& registry) {
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
     d.timeStep("").reads("body", {"velocity", "acceleration", "deformation_gradient"});
-    d.builder(factory<TimeStepMethod, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<AcousticTimeStep<Dim>>(bodyOf(context, p.body), p.cfl);
-    }));
 }
 
 template class AcousticTimeStep<2>;

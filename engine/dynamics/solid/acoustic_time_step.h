@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "materials/elastic_solid.h"
 
 namespace sphinx::solid {
@@ -32,8 +32,5 @@ class AcousticTimeStep final : public TimeStepMethod {
 
 /// Registers solid.acoustic_time_step.
 void declareAcousticTimeStep(input::Registry& registry);
-
-extern template class AcousticTimeStep<2>;
-extern template class AcousticTimeStep<3>;
 
 }  // namespace sphinx::solid

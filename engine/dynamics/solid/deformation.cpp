@@ -49,14 +49,9 @@ Wide determinant(const MatOf<3, Wide>& a) { return a.col(0).dot(a.col(1).cross(a
 
 template <int Dim>
 Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control)
-    : Deformation(context, body) {
-    body.hourglass_modulus = hourglass_control ? solid_->shearModulus() / Dim : 0;
-}
-
-template <int Dim>
-Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body)
     : context_(&context),
       body_(&body),
+      hourglass_control_(hourglass_control),
       solid_(&dynamic_cast<const ElasticSolid&>(*body.material)),
       position_(body.particles.position()),
       initial_position_(body.particles.vector(fields::initial_position)),
@@ -75,10 +70,13 @@ Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body)
 }
 
 template <int Dim>
+void Deformation<Dim>::announce() {
+    body_->hourglass_modulus = hourglass_control_ ? solid_->shearModulus() / Dim : 0;
+}
+
+template <int Dim>
 void Deformation<Dim>::prepare() {
-    if (prepared_) return;
     for (const Neighbors& n : neighbors_) context_->relations.build(*n.relation);
-    prepared_ = true;
 }
 
 template <int Dim>
@@ -93,7 +91,6 @@ MatOf<Dim, Wide> Deformation<Dim>::difference(const Group& group, const Field<Ve
 
 template <int Dim>
 void Deformation<Dim>::initialize() {
-    prepare();
     FirstFailure lonely;
     parallelForGroups(body_->size(), [&](const Group& group) {
         const auto moments = difference(group, initial_position_, &Neighbors::initial_position);
@@ -185,7 +182,6 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
 
 template <int Dim>
 void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
-    prepare();
     withLaw(*solid_, [&](const auto& law) { stress(law, clock, damping); });
 }
 

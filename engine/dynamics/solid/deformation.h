@@ -23,13 +23,14 @@ class Deformation {
     /// bonds' own deformation gradients F_i + (r_ij - F_i R_ij) (x) R_ij/R_ij^2 would give to
     /// second order, the shear part of the acoustic tensor alone: no parameter. Where a clamp
     /// covers a part of a particle, all of its energy counts by its share s_i (Body::shares).
+    /// For initialize() alone it does not matter.
     Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
-    /// For initialize() alone.
-    Deformation(Context<Dim>& context, Body<Dim>& body);
 
     Body<Dim>& body() const { return *body_; }
 
-    /// Builds the lists where that has not been done (after a restart, too).
+    /// Tells the body its hourglass modulus.
+    void announce();
+    /// Builds the lists where that has not been done.
     void prepare();
     /// B_i = (-sum_j R_ij (x) g_ij)^-1, guide (30); F from the positions, (29), and dF/dt from the
     /// velocities. PhysicsError where a particle has too few neighbors.
@@ -63,9 +64,9 @@ class Deformation {
 
     Context<Dim>* context_;
     Body<Dim>* body_;
+    bool hourglass_control_;
     const ElasticSolid* solid_;
     std::vector<Neighbors> neighbors_;
-    bool prepared_ = false;
 
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& initial_position_;
@@ -76,8 +77,5 @@ class Deformation {
     Field<Mat<Dim>>& rate_;
     Field<Mat<Dim>>& stress_;
 };
-
-extern template class Deformation<2>;
-extern template class Deformation<3>;
 
 }  // namespace sphinx::solid

@@ -6,20 +6,20 @@ namespace sphinx::solid {
 
 void declareLinearCorrection(input::Registry& registry) {
     using P = LinearCorrectionParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "solid.linear_correction");
+    auto& d = declareMethod<P>(
+        registry, "solid.linear_correction", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<LinearCorrection<Dim>>(context, bodyOf(context, p.body));
+        });
     d.summary(
         "Correction matrices and initial deformation of an elastic body; belongs to the start");
     d.formula("guide (30): B_i = (-sum_j R_ij (x) e_ij W' V_j)^-1 in the reference configuration");
     d.citation("Randles & Libersky 1996, doi:10.1016/S0045-7825(96)01090-0");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.trait("sums_over_itself");
-    d.action("", "")
+    d.action()
         .reads("body", {"initial_position", "position", "velocity", "volume"})
         .reads("bonded", {"initial_position", "position", "velocity", "volume"})
         .writes("body", {"correction_matrix", "deformation_gradient", "deformation_rate"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<LinearCorrection<Dim>>(context, bodyOf(context, p.body));
-    }));
 }
 
 }  // namespace sphinx::solid

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/solid/deformation.h"
 
 namespace sphinx::solid {
@@ -16,8 +16,9 @@ struct LinearCorrectionParameters {
 template <int Dim>
 class LinearCorrection final : public Method {
  public:
-    LinearCorrection(Context<Dim>& context, Body<Dim>& body) : deformation_(context, body) {}
-    void run(int, const Clock&) override { deformation_.initialize(); }
+    LinearCorrection(Context<Dim>& context, Body<Dim>& body) : deformation_(context, body, false) {}
+    void prepare(Origin) override { deformation_.prepare(); }
+    void run(const Clock&) { deformation_.initialize(); }
     std::size_t workSize() const override { return deformation_.body().size(); }
 
  private:

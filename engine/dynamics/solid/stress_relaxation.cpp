@@ -28,14 +28,6 @@ StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, Body<Dim>& body,
       volume_(body.particles.scalar(fields::volume)) {}
 
 template <int Dim>
-void StressRelaxation<Dim>::run(int action, const Clock& clock) {
-    if (action == 0)
-        firstHalf(clock);
-    else
-        secondHalf(clock.dt);
-}
-
-template <int Dim>
 void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
     const double dt = clock.dt;
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
@@ -53,7 +45,8 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
 }
 
 template <int Dim>
-void StressRelaxation<Dim>::secondHalf(double dt) {
+void StressRelaxation<Dim>::secondHalf(const Clock& clock) {
+    const double dt = clock.dt;
     deformation_.secondHalf(dt);
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
     ++body_->version;
@@ -61,7 +54,11 @@ void StressRelaxation<Dim>::secondHalf(double dt) {
 
 void declareStressRelaxation(input::Registry& registry) {
     using P = StressRelaxationParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "solid.stress_relaxation");
+    auto& d = declareMethod<P>(
+        registry, "solid.stress_relaxation", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<StressRelaxation<Dim>>(context, bodyOf(context, p.body),
+                                                           p.hourglass_control, p.damping);
+        });
     d.summary("Step of an elastic body in two halves around the sum of its stresses");
     d.formula(
         "guide (5), (29), (31) as drift-kick-drift; m_i dv_i/dt = sum_j (P_i B_i^T + P_j B_j^T) "
@@ -80,7 +77,8 @@ void declareStressRelaxation(input::Registry& registry) {
     d.trait("sums_over_itself");
     d.action("first_half",
              "deformation, stress and position to the half step; velocity by a whole "
-             "step")
+             "step",
+             [](auto& method, const Clock& clock) { method.firstHalf(clock); })
         .reads("body", {"initial_position", "position", "velocity", "mass", "volume",
                         "correction_matrix", "deformation_gradient", "deformation_rate",
                         "external_acceleration", "pressure_force", "viscous_force"})
@@ -88,15 +86,12 @@ void declareStressRelaxation(input::Registry& registry) {
         .writes("body", {"deformation_gradient", "corrected_stress", "density", "position",
                          "velocity", "acceleration"})
         .opens("body", "step");
-    d.action("second_half", "rate of the deformation; deformation and position to the full step")
+    d.action("second_half", "rate of the deformation; deformation and position to the full step",
+             [](auto& method, const Clock& clock) { method.secondHalf(clock); })
         .reads("body", {"position", "velocity", "correction_matrix", "deformation_gradient"})
         .reads("bonded", {"velocity"})
         .writes("body", {"deformation_rate", "deformation_gradient", "position"})
         .closes("body", "step");
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<StressRelaxation<Dim>>(context, bodyOf(context, p.body),
-                                                       p.hourglass_control, p.damping);
-    }));
 }
 
 template class StressRelaxation<2>;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/solid/deformation.h"
 
 namespace sphinx::solid {
@@ -24,11 +24,12 @@ template <int Dim>
 class StressRelaxation final : public Method {
  public:
     StressRelaxation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control, bool damping);
-    void run(int action, const Clock& clock) override;
+    void announce() override { deformation_.announce(); }
+    void prepare(Origin) override { deformation_.prepare(); }
     std::size_t workSize() const override { return body_->size(); }
 
     void firstHalf(const Clock& clock);
-    void secondHalf(double dt);
+    void secondHalf(const Clock& clock);
 
  private:
     Body<Dim>* body_;
@@ -46,8 +47,5 @@ class StressRelaxation final : public Method {
 
 /// Registers solid.stress_relaxation.
 void declareStressRelaxation(input::Registry& registry);
-
-extern template class StressRelaxation<2>;
-extern template class StressRelaxation<3>;
 
 }  // namespace sphinx::solid

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 #include "dynamics/solid/deformation.h"
 
 namespace sphinx::solid {
@@ -19,12 +19,10 @@ class StressUpdate final : public Method {
  public:
     StressUpdate(Context<Dim>& context, Body<Dim>& body, bool hourglass_control)
         : deformation_(context, body, hourglass_control) {}
-    void run(int action, const Clock& clock) override {
-        if (action == 0)
-            deformation_.firstHalf(clock);
-        else
-            deformation_.secondHalf(clock.dt);
-    }
+    void announce() override { deformation_.announce(); }
+    void prepare(Origin) override { deformation_.prepare(); }
+    void firstHalf(const Clock& clock) { deformation_.firstHalf(clock); }
+    void secondHalf(const Clock& clock) { deformation_.secondHalf(clock.dt); }
     std::size_t workSize() const override { return deformation_.body().size(); }
 
  private:

@@ -16,7 +16,7 @@ UpdateNormals<Dim>::UpdateNormals(Body<Dim>& body)
       gradient_(body.particles.matrix(fields::deformation_gradient)) {}
 
 template <int Dim>
-void UpdateNormals<Dim>::run(int, const Clock&) {
+void UpdateNormals<Dim>::run(const Clock&) {
     parallelFor(body_->size(), [&](std::size_t i) {
         const Vec<Dim> n = gradient_[i].inverse().transpose() * initial_normal_[i];
         const double length = n.norm();
@@ -26,16 +26,16 @@ void UpdateNormals<Dim>::run(int, const Clock&) {
 
 void declareUpdateNormals(input::Registry& registry) {
     using P = UpdateNormalsParameters;
-    auto& d = registry.declare<P>(input::Kind::dynamics, "solid.update_normals");
+    auto& d = declareMethod<P>(
+        registry, "solid.update_normals", []<int Dim>(const P& p, Context<Dim>& context) {
+            return std::make_unique<UpdateNormals<Dim>>(bodyOf(context, p.body));
+        });
     d.summary("Normals of an elastic body turn with its deformation");
     d.formula("n = F^-T N / abs(F^-T N)");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
-    d.action("", "")
+    d.action()
         .reads("body", {"initial_normal", "deformation_gradient", "normal"})
         .writes("body", {"normal"});
-    d.builder(factory<Method, P>([]<int Dim>(const P& p, Context<Dim>& context) {
-        return std::make_unique<UpdateNormals<Dim>>(bodyOf(context, p.body));
-    }));
 }
 
 template class UpdateNormals<2>;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/builder.h"
+#include "dynamics/declare.h"
 
 namespace sphinx::solid {
 
@@ -16,7 +16,7 @@ template <int Dim>
 class UpdateNormals final : public Method {
  public:
     explicit UpdateNormals(Body<Dim>& body);
-    void run(int action, const Clock& clock) override;
+    void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 
  private:
@@ -28,8 +28,5 @@ class UpdateNormals final : public Method {
 
 /// Registers solid.update_normals.
 void declareUpdateNormals(input::Registry& registry);
-
-extern template class UpdateNormals<2>;
-extern template class UpdateNormals<3>;
 
 }  // namespace sphinx::solid

@@ -56,11 +56,25 @@ class Action {
     const std::vector<Access>& accesses() const { return accesses_; }
     const std::string& throughout() const { return throughout_; }  ///< empty: it may act at times
 
+    /// What the owner of the kind attaches: of a method, what the action calls.
+    template <class T>
+    void payload(T attached) {
+        payload_ = std::move(attached);
+    }
+    /// T must be the exact type of what was attached.
+    template <class T>
+    const T& payload() const {
+        const T* attached = std::any_cast<T>(&payload_);
+        assert(attached && "nothing of this type is attached to the action");
+        return *attached;
+    }
+
  private:
     std::string name_;
     std::string doc_;
     std::string throughout_;
     std::vector<Access> accesses_;
+    std::any payload_;
 };
 
 /// One parameter of a declaration, without the C++ type of its struct.
@@ -141,7 +155,7 @@ class Declaration {
 
 /// A declaration with the parameter struct P; defaults are those of P{}.
 template <class P>
-class Declared final : public Declaration {
+class Declared : public Declaration {
  public:
     Declared(Kind kind, std::string name)
         : Declaration(kind, std::move(name), typeid(P), [] { return std::make_shared<P>(); }) {}
@@ -192,14 +206,10 @@ class Declared final : public Declaration {
         return *this;
     }
 
-    /// An action that loop lines call as METHOD.NAME; a method with one action gives it no name.
-    Action& action(std::string name, std::string doc) {
-        return actions_.emplace_back(std::move(name), std::move(doc));
-    }
     /// Marks a method that a layer's `dt` names; the accesses are those of its estimate.
     Action& timeStep(std::string doc) {
         is_time_step_ = true;
-        return actions_.emplace_back("", std::move(doc));
+        return addAction("", std::move(doc));
     }
     template <class T>
     Declared& builder(T payload) {
@@ -210,6 +220,11 @@ class Declared final : public Declaration {
     using Declaration::formula;
     using Declaration::parameter;
     using Declaration::summary;
+
+ protected:
+    Action& addAction(std::string name, std::string doc) {
+        return actions_.emplace_back(std::move(name), std::move(doc));
+    }
 
  private:
     template <class T, class Q>

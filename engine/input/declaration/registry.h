@@ -15,8 +15,12 @@ class Registry {
     /// new within its kind.
     template <class P>
     Declared<P>& declare(Kind kind, std::string name) {
-        auto declared = std::make_unique<Declared<P>>(kind, name);
-        Declared<P>& reference = *declared;
+        return add(std::make_unique<Declared<P>>(kind, std::move(name)));
+    }
+    /// The same for a declaration of a class of its own.
+    template <class D>
+    D& add(std::unique_ptr<D> declared) {
+        D& reference = *declared;
         insert(std::move(declared));
         return reference;
     }

@@ -32,7 +32,7 @@ void validateTrigger(const Trigger& trigger, const std::string& owner,
 }
 
 void validateCall(const Call& call, const std::set<std::string>& layers) {
-    require(call.method != nullptr, call.label + " has no method");
+    require(call.method && call.action, call.label + " has no method");
     const Window& window = call.window;
     require(!window.from || !window.until || *window.from < *window.until,
             call.label + ": the end of its time must be above the start");

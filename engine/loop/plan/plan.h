@@ -19,11 +19,13 @@ namespace sphinx::loop {
 struct Call {
     std::string label;  ///< as in the case file: "pressure_relaxation.first_half"
     Method* method = nullptr;
-    int action = 0;
+    ActionCall action = nullptr;  ///< of that method
     /// Without: in every substep. Steps count the one under way, time is the end of the substep;
     /// a wall time is refused, because results would depend on the speed of the machine.
     std::optional<Trigger> every;
     Window window = {};  ///< moments of `every` outside of it pass
+
+    void act(const Clock& clock) const { action(*method, clock); }
 };
 
 struct TimeStep {

@@ -171,7 +171,7 @@ void LayerRun::run(CallRun& line) {
     if (!is_due || !line.call->window.holds(begin_)) return;
     {
         const TimedCall timed(line.tally);
-        line.call->method->run(line.call->action, clock_);
+        line.call->act(clock_);
     }
     line.tally.particles += static_cast<double>(line.call->method->workSize());
     if (line.call->window.until) line.to_rest = 1;

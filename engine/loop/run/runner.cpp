@@ -26,11 +26,13 @@ Runner::Runner(Plan plan)
 bool Runner::finished() const { return reached(clock().time, clock().dt, plan_.end_time); }
 
 void Runner::start() {
+    Clock at_start = clock();
+    at_start.is_start = true;
     for (std::size_t k = 0; k < plan_.start.size(); ++k) {
         const Call& call = plan_.start[k];
         {
             const TimedCall timed(start_tallies_[k]);
-            call.method->run(call.action, clock());
+            call.act(at_start);
         }
         start_tallies_[k].particles += static_cast<double>(call.method->workSize());
     }

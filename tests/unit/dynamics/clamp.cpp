@@ -29,7 +29,7 @@ struct Clamped {
         : depth((3 + shift) * spacing),
           body(scene.add("block", scene.lattice(blockSize(), jitter), damping)),
           clamp(scene.context, base(body)),
-          stepper(scene.context, body) {}
+          stepper(scene.context, body, {&clamp}) {}
 
     static std::array<int, Dim> blockSize() {
         std::array<int, Dim> n;
@@ -50,7 +50,7 @@ struct Clamped {
     void setVelocity(Velocity&& velocity) {
         for (std::size_t i = 0; i < body.size(); ++i)
             vectors(fields::velocity)[i] = body.isImage(i) ? Vec<Dim>::Zero().eval() : velocity(i);
-        clamp.run(0, {});
+        clamp.run({.is_start = true});
     }
     /// Displaces likewise; F from there, all at rest. Returns the energy.
     template <class Displacement>
@@ -149,6 +149,8 @@ TEST_CASE("images stand behind the surface of the clamp, in its corners behind b
         {geometry::makeBox<2>(Vec<2>::Constant(-10), Vec<2>::Constant(10)), rest});
     const Part<2> frame(scene.world, {"block.frame", {}});
     constraint::Clamp<2> clamp(scene.context, frame);
+    clamp.announce();
+    body.findShares();
     auto& relation = scene.relations.reference(body, body);
     scene.relations.build(relation);
     const auto links =

@@ -30,6 +30,8 @@ struct Patch {
         : bodies(scene.patch(bonded, damping)) {
         for (Body<Dim>* body : bodies)
             deformations.emplace_back(scene.context, *body, hourglass_control);
+        for (auto& deformation : deformations) deformation.announce();
+        for (auto& deformation : deformations) deformation.prepare();
     }
     /// Particles at place(R) with the velocity velocity(R); F and its rate from there.
     template <class Place, class Velocity>
@@ -236,7 +238,7 @@ TEMPLATE_TEST_CASE_SIG("normals turn with the body and stay normal to its surfac
     const Mat<Dim> A = Q * (Mat<Dim>::Identity() + random.template matrix<Dim>(0.3));
     for (const Mat<Dim>& F : {Q, A}) {
         patch.set([&](const Vec<Dim>& R) -> Vec<Dim> { return F * R; }, atRest<Dim>);
-        update.run(0, {});
+        update.run({});
         for (std::size_t i = 0; i < body.size(); ++i) {
             CHECK(normal[i].norm() == Approx(1).epsilon(1e-14));
             CHECK(normal[i].dot(F * initial[i]) > 0);

@@ -39,7 +39,7 @@ template <int Dim>
 void sumDensities(FluidScene<Dim>& scene, Surface surface) {
     DensitySummation<Dim> summation(scene.context, *scene.water, surface);
     scene.relations.update({scene.water});
-    summation.run(0, {});
+    summation.run({});
 }
 
 /// The particle nearest to a place, in spacings.

@@ -130,8 +130,8 @@ TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that pressure takes f
         meeting.relations.update({meeting.fluid, meeting.solid});
         const Vec<Dim> before = meeting.momentum();
         const double dt = 1e-3;
-        pressure.firstHalf(dt);
-        load.run(0, {});
+        pressure.firstHalf({0, dt, 0});
+        load.run({});
         const Vec<Dim> taken = (before - meeting.momentum()) / dt;
         CHECK(taken.norm() > 0.01);
         CHECK((taken - sumOf<Dim>(force)).norm() < 1e-12 * taken.norm());
@@ -153,12 +153,12 @@ TEST_CASE(
     double time = 0;
     for (PressureRelaxation<2>* acting : {&first, &first, &second, &second}) {
         const Vec<2> before = meeting.momentum();
-        acting->run(0, {time, dt, 0});
+        acting->firstHalf({time, dt, 0});
         force.setZero();  // as the loop does
-        load.run(0, {time, dt, 0});
+        load.run({time, dt, 0});
         const Vec<2> taken = (before - meeting.momentum()) / dt;
         CHECK((taken - sumOf<2>(force)).norm() < 1e-12 * taken.norm());
-        acting->run(1, {time, dt, 0});
+        acting->secondHalf({time, dt, 0});
         meeting.relations.update({meeting.fluid, meeting.solid});
         time += dt;
     }
@@ -173,8 +173,8 @@ TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
     Viscous first(meeting.context, *meeting.fluid, WallSlip::no_slip, ViscousForm::central);
     Viscous second(meeting.context, *meeting.fluid, WallSlip::no_slip, ViscousForm::laplacian);
     meeting.relations.update({meeting.fluid, meeting.solid});
-    first.run(0, {0, 0.1, 0});
-    second.run(0, {0.1, 0.1, 1});
+    first.run({0, 0.1, 0});
+    second.run({0.1, 0.1, 1});
     CHECK(present(meeting.context) == &second);
 
     Context<2> resumed{meeting.world, meeting.relations};
@@ -201,10 +201,10 @@ TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
     auto& force = meeting.solid->particles.vector(fields::viscous_force);
     fsi::FluidForce<2> load(resumed, *meeting.solid, *meeting.fluid, LoadKind::viscous, force);
     meeting.relations.update({meeting.fluid, meeting.solid});
-    load.run(0, {});
+    load.run({});
     CHECK(sumOf<2>(force).norm() == 0);
-    same_first.run(0, {0.2, 0.1, 2});
-    load.run(0, {});
+    same_first.run({0.2, 0.1, 2});
+    load.run({});
     CHECK(sumOf<2>(force).norm() > 0.01);
 }
 
@@ -217,8 +217,8 @@ TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that viscosity takes 
         fsi::FluidForce<Dim> load(meeting.context, *meeting.solid, *meeting.fluid,
                                   LoadKind::viscous, force);
         meeting.relations.update({meeting.fluid, meeting.solid});
-        viscous.run(0, {});
-        load.run(0, {});
+        viscous.run({});
+        load.run({});
         Vec<Dim> given = Vec<Dim>::Zero();
         for (std::size_t i = 0; i < meeting.fluid->size(); ++i)
             given += meeting.fluid->particles.scalar(fields::mass)[i] *
@@ -238,11 +238,11 @@ TEST_CASE("a fluid sees the velocity of an elastic body at the end of its step")
     const Vec<2> a(3, -2);
     // Uniformly accelerated from rest, the first step excepted, in which the mean is all there is.
     for (int step = 0; step < 3; ++step) {
-        average.run(0, clock);
+        average.begin(clock);
         const double begin = step * clock.dt;
         const double end = begin + clock.dt;
         p.position()[0] += 0.5 * a * (end * end - begin * begin);
-        average.run(1, clock);
+        average.end(clock);
         if (step == 0) continue;
         CHECK((p.vector(fields::average_acceleration)[0] - a).norm() < 1e-12);
         CHECK((p.vector(fields::average_velocity)[0] - a * end).norm() < 1e-12);

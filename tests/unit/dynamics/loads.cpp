@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE_SIG("a point force is shared without loss and moves the centr
         for (std::size_t n = 0; n < end.size(); ++n)
             place += body.particles.scalar(fields::mass)[end[n]] *
                      body.particles.position()[end[n]][0] / end.mass();
-        push.run(0, {0.3, 0.02, 0});
+        push.run({0.3, 0.02, 0});
         const Vec<Dim> total = totalForce(body);
         CHECK(total[0] == Approx(3 * std::cos(0.31)).epsilon(round_off));
         CHECK(total[1] == Approx(-2 + place).epsilon(round_off));
@@ -102,6 +102,9 @@ TEST_CASE("bodies under gravity and body forces move as a point would") {
     Body<2>& body = scene.add("block", scene.lattice({5, 5}, 0.1));
     Stepper<2> stepper(scene.context, body);
     force::Gravity<2> gravity(body, Vec<2>(0, -10));
+    CHECK(body.gravity.isZero(0));
+    gravity.announce();
+    CHECK(body.gravity == Vec<2>(0, -10));
     const Vec<2> before = centreOf(body);
 
     SECTION("free fall") {
@@ -142,7 +145,8 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
     SECTION("at rest") {
         force::SurfacePressure<Dim> pressure(top, expression("5 + 2*x + t", unit::pressure), d,
                                              upwards);
-        pressure.run(0, {0.9, 0.2, 0});
+        pressure.prepare(Origin::start);
+        pressure.run({0.9, 0.2, 0});
         const double mean = 5 + width + 1;
         CHECK((totalForce(body) + mean * area * Vec<Dim>::Unit(1)).norm() < round_off * mean);
     }
@@ -155,7 +159,8 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
         });
         force::SurfacePressure<Dim> pressure(Part<Dim>(scene.world, {"block.middle", {}}),
                                              input::FieldExpression(5), spacing, {});
-        pressure.run(0, {});
+        pressure.prepare(Origin::start);
+        pressure.run({});
         const double part = std::pow(4 * spacing, Dim - 1);
         CHECK((totalForce(body) + 5 * part * Vec<Dim>::Unit(1)).norm() < round_off);
     }
@@ -167,7 +172,8 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
         stretch(1, 1) = 0.8;  // across
         auto& F = body.particles.matrix(fields::deformation_gradient);
         for (std::size_t i = 0; i < body.size(); ++i) F[i] = Q * stretch;
-        pressure.run(0, {});
+        pressure.prepare(Origin::start);
+        pressure.run({});
         const Vec<Dim> expected = -5 * 1.5 * area * Q.col(1);
         CHECK((totalForce(body) - expected).norm() < round_off * expected.norm());
     }
@@ -235,7 +241,7 @@ TEMPLATE_TEST_CASE_SIG("damping of the velocity: exact over any steps", "", ((in
         velocity[i] = scene.random.template vector<Dim>(1);
     const std::vector<Vec<Dim>> before(velocity.data(), velocity.data() + body.size());
     force::VelocityDamping<Dim> damping(body, 40);
-    for (const double dt : {0.01, 0.2, 0.003}) damping.run(0, {0, dt, 0});
+    for (const double dt : {0.01, 0.2, 0.003}) damping.run({0, dt, 0});
     for (std::size_t i = 0; i < body.size(); ++i)
         CHECK((velocity[i] - std::exp(-40 * 0.213) * before[i]).norm() < round_off);
 }

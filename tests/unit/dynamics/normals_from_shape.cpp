@@ -41,7 +41,7 @@ struct Block {
 };
 
 void findNormals(Block& block, const std::vector<Body<3>*>& joined = {}) {
-    geometry::NormalsFromShape<3>(block.body, joined).run(0, {});
+    geometry::NormalsFromShape<3>(block.body, joined).run({});
 }
 
 }  // namespace

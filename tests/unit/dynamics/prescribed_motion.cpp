@@ -124,7 +124,7 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
     SECTION("position at the end of the step, velocity and acceleration of its middle") {
         PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall", {}}), texts, {});
         const auto version = wall.version;
-        motion.run(0, clock);
+        motion.run(clock);
         CHECK(wall.version > version);
         for (std::size_t i = 0; i < wall.size(); ++i) {
             const double x = R[i][0] + 3 * 0.75 + 2 * 0.75 * 0.75 + R[i][1];
@@ -146,7 +146,7 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
         scene.addPart(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
         PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall.end", {}}), texts,
                                        {1});
-        motion.run(0, clock);
+        motion.run(clock);
         wall.particles.vector(fields::velocity).data()[wall.size() - 1][0] = 9;
         motion.rest();
         CHECK(wall.particles.vector(fields::velocity)[0] == Vec<2>(7, 8));

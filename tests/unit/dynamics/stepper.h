@@ -6,7 +6,21 @@
 #include "dynamics/solid/stress_relaxation.h"
 #include "elastic.h"
 
+#include <functional>
+#include <vector>
+
 namespace sphinx::test {
+
+/// A line of a loop that calls the only action of a method.
+class Line {
+ public:
+    template <class M>
+    Line(M* method) : run_([method](const Clock& clock) { method->run(clock); }) {}
+    void operator()(const Clock& clock) const { run_(clock); }
+
+ private:
+    std::function<void(const Clock&)> run_;
+};
 
 /// Steps one elastic body as a loop of its case would.
 template <int Dim>
@@ -16,19 +30,24 @@ struct Stepper {
     solid::StressRelaxation<Dim> relaxation;
     Clock clock;
 
-    Stepper(Context<Dim>& context, Body<Dim>& stepped)
+    /// `others`: those besides that have to announce themselves or to be prepared.
+    Stepper(Context<Dim>& context, Body<Dim>& stepped, std::vector<Method*> others = {})
         : body(stepped), correction(context, stepped), relaxation(context, stepped, true, true) {
+        others.insert(others.end(), {&correction, &relaxation});
+        for (Method* method : others) method->announce();
+        body.findShares();
+        for (Method* method : others) method->prepare(Origin::start);
         start();
     }
-    void start() { correction.run(0, clock); }
-    void step(double dt, const std::vector<Method*>& loads,
-              const std::vector<Method*>& constraints = {}) {
+    void start() { correction.run({.is_start = true}); }
+    void step(double dt, const std::vector<Line>& loads,
+              const std::vector<Line>& constraints = {}) {
         clock.dt = dt;
         body.particles.vector(fields::external_acceleration).setZero();
-        for (Method* load : loads) load->run(0, clock);
-        relaxation.run(0, clock);
-        for (Method* constraint : constraints) constraint->run(0, clock);
-        relaxation.run(1, clock);
+        for (const Line& load : loads) load(clock);
+        relaxation.firstHalf(clock);
+        for (const Line& constraint : constraints) constraint(clock);
+        relaxation.secondHalf(clock);
         clock.time += dt;
         ++clock.steps;
     }

@@ -30,7 +30,7 @@ struct Fluid : test::FluidScene<Dim> {
         for (std::size_t i = 0; i < points.size(); ++i)
             this->water->particles.vector(fields::velocity)[i] = velocity(points[i]);
         this->relations.update({this->water});
-        force.run(0, {});
+        force.run({});
     }
     const Vec<Dim>& acceleration(std::size_t i) {
         return this->water->particles.vector(fields::external_acceleration)[i];

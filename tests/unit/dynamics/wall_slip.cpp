@@ -41,7 +41,7 @@ struct Stream : FluidScene<Dim> {
         list = &this->relations.relation(*this->water, *wall);
         list->list.keep_distance = true;
         this->relations.update({this->water});
-        force->run(0, {});
+        force->run({});
     }
     Vec<Dim> forceOnWall() const { return force->forceOn(*wall, list->list); }
     /// Acceleration of the particle nearest to y, in the middle of the others.

@@ -25,30 +25,39 @@ struct Event {
 };
 using Journal = std::vector<Event>;
 
-class Recorder : public Method {
- public:
-    Recorder(std::string name, Journal& journal) : name_(std::move(name)), journal_(journal) {}
-    void run(int action, const Clock& clock) override {
-        const std::string name = action == 0 ? name_ : name_ + "." + std::to_string(action);
-        journal_.push_back({name, clock.time, clock.dt, clock.steps});
-    }
-    std::size_t workSize() const override { return 10; }
-
- private:
-    std::string name_;
-    Journal& journal_;
-};
-
-/// A method that runs any function.
+/// A method with one action.
 class Acting : public Method {
  public:
     explicit Acting(std::function<void(const Clock&)> act) : act_(std::move(act)) {}
-    void run(int, const Clock& clock) override { act_(clock); }
+    void run(const Clock& clock) { act_(clock); }
     std::size_t workSize() const override { return 1; }
 
  private:
     std::function<void(const Clock&)> act_;
 };
+
+class Recorder : public Acting {
+ public:
+    Recorder(const std::string& name, Journal& journal)
+        : Acting([=, this](const Clock& clock) { record(name, clock); }),
+          name_(name),
+          journal_(journal) {}
+    /// Another action.
+    void second(const Clock& clock) { record(name_ + ".second", clock); }
+    std::size_t workSize() const override { return 10; }
+
+ private:
+    void record(const std::string& name, const Clock& clock) {
+        journal_.push_back({name, clock.time, clock.dt, clock.steps});
+    }
+    std::string name_;
+    Journal& journal_;
+};
+
+inline void runOf(Method& method, const Clock& clock) { static_cast<Acting&>(method).run(clock); }
+inline void secondOf(Method& method, const Clock& clock) {
+    static_cast<Recorder&>(method).second(clock);
+}
 
 class Estimate : public TimeStepMethod {
  public:
@@ -132,12 +141,12 @@ class MemoryArchive : public Archive {
     std::vector<std::string> path_;
 };
 
-inline Step call(std::string label, Method& method, int action = 0) {
+inline Step call(std::string label, Method& method, ActionCall action = runOf) {
     return {Call{std::move(label), &method, action, {}}};
 }
 
 inline Step every(std::string label, Method& method, Trigger trigger) {
-    return {Call{std::move(label), &method, 0, std::move(trigger)}};
+    return {Call{std::move(label), &method, runOf, std::move(trigger)}};
 }
 
 inline Layer fixedLayer(std::string name, double dt, std::vector<Step> steps,

@@ -17,16 +17,18 @@ using namespace sphinx::loop::fake;
 TEST_CASE("lines run in order, each with the clock of its own layer") {
     Journal journal;
     Recorder a("a", journal), b("b", journal), c("c", journal);
-    const Layer inner = fixedLayer("inner", 0.5, {call("b", b, 1)});
+    const Layer inner = fixedLayer("inner", 0.5, {call("b", b, secondOf)});
     const Layer outer = fixedLayer("outer", 1.0, {call("a", a), {inner}, call("c", c)});
     LayerRun run(outer, 3.0);
     run.stepFreely();
     CHECK(journal ==
-          Journal{{"a", 3, 1, 0}, {"b.1", 3, 0.5, 0}, {"b.1", 3.5, 0.5, 1}, {"c", 3, 1, 0}});
+          Journal{
+              {"a", 3, 1, 0}, {"b.second", 3, 0.5, 0}, {"b.second", 3.5, 0.5, 1}, {"c", 3, 1, 0}});
     journal.clear();
     run.stepFreely();
     CHECK(journal ==
-          Journal{{"a", 4, 1, 1}, {"b.1", 4, 0.5, 2}, {"b.1", 4.5, 0.5, 3}, {"c", 4, 1, 1}});
+          Journal{
+              {"a", 4, 1, 1}, {"b.second", 4, 0.5, 2}, {"b.second", 4.5, 0.5, 3}, {"c", 4, 1, 1}});
     CHECK(run.clock().time == 5);
     CHECK(run.clock().steps == 2);
     CHECK(run.find("inner")->clock().time == 5);

@@ -53,8 +53,8 @@ struct Run {
                     Fit::clip,
                     {call("kick", kick),
                      every("remesh", remesh, eachSteps(7, "inner")),
-                     {Call{"extra kick", &kick, 0, {}, {0.7, 2.2}}},
-                     {Call{"remesh late", &remesh, 0, eachTime(0.05), {1.1, {}}}}}};
+                     {Call{"extra kick", &kick, runOf, {}, {0.7, 2.2}}},
+                     {Call{"remesh late", &remesh, runOf, eachTime(0.05), {1.1, {}}}}}};
         Layer middle_layer{"middle",
                            {{"middle", &middle}},
                            {},
@@ -62,7 +62,7 @@ struct Run {
                            {{inner}, every("remesh", remesh, eachTime(0.1))}};
         Plan plan;
         plan.end_time = end_time;
-        plan.start = {Call{"start", &start, 0, {}}};
+        plan.start = {Call{"start", &start, runOf, {}}};
         plan.outermost = {"outer",
                           {{"large", &large}},
                           {},

@@ -64,7 +64,7 @@ TEST_CASE("start calls run once, before the first frame") {
     Plan plan;
     plan.start_time = 2;
     plan.end_time = 3;
-    plan.start = {Call{"lists", &lists, 0, {}}};
+    plan.start = {Call{"lists", &lists, runOf, {}}};
     plan.outermost = fixedLayer("outer", 1, {});
     plan.outputs = {frames.entry({})};
     Runner runner(plan);
@@ -243,6 +243,17 @@ TEST_CASE("progress") {
     CHECK(runner.progress().seconds_left == 0);
 }
 
+TEST_CASE("calls of the start know that there is no step yet") {
+    std::vector<bool> starts;
+    Acting act([&](const Clock& clock) { starts.push_back(clock.is_start); });
+    Plan plan;
+    plan.end_time = 2;
+    plan.start = {Call{"act", &act, runOf, {}}};
+    plan.outermost = fixedLayer("outer", 1, {call("act", act)});
+    Runner(plan).run(go_on);
+    CHECK(starts == std::vector<bool>{true, false, false});
+}
+
 TEST_CASE("plans that cannot run are refused") {
     Journal journal;
     Recorder method("method", journal);
@@ -273,17 +284,17 @@ TEST_CASE("plans that cannot run are refused") {
         CHECK(message() == "loop: two layers are called outer");
     }
     SECTION("no method") {
-        plan.start = {Call{"lists", nullptr, 0, {}}};
+        plan.start = {Call{"lists", nullptr, runOf, {}}};
         CHECK(message() == "loop: lists has no method");
     }
     SECTION("a start call under every") {
-        plan.start = {Call{"lists", &method, 0, eachSteps(2)}};
+        plan.start = {Call{"lists", &method, runOf, eachSteps(2)}};
         CHECK(message() == "loop: lists: a start call runs once");
-        plan.start = {Call{"lists", &method, 0, {}, {{}, 1.0}}};
+        plan.start = {Call{"lists", &method, runOf, {}, {{}, 1.0}}};
         CHECK(message() == "loop: lists: a start call runs once");
     }
     SECTION("a window without an inside") {
-        plan.outermost.steps.push_back({Call{"lists", &method, 0, {}, {1.0, 1.0}}});
+        plan.outermost.steps.push_back({Call{"lists", &method, runOf, {}, {1.0, 1.0}}});
         CHECK(message() == "loop: lists: the end of its time must be above the start");
     }
     SECTION("steps that are no whole number") {

@@ -16,7 +16,7 @@ namespace {
 
 Step limited(std::string label, Method& method, std::optional<double> from,
              std::optional<double> until, std::optional<Trigger> trigger = {}) {
-    return {Call{std::move(label), &method, 0, std::move(trigger), {from, until}}};
+    return {Call{std::move(label), &method, runOf, std::move(trigger), {from, until}}};
 }
 
 /// Numbers of the substeps in which the method of that name acted.
@@ -144,7 +144,7 @@ TEST_CASE("a method rests once, at the begin of the first step after its window"
     Resting mid("mid", journal), other("other", journal), never("never", journal);
     Recorder first("first", journal);
     const Layer outer = fixedLayer("outer", 0.25,
-                                   {{Call{"first", &first, 0, {}}},
+                                   {{Call{"first", &first, runOf, {}}},
                                     limited("mid", mid, 0.25, 0.75),
                                     limited("other", other, 0.5, {}),
                                     limited("never", never, 0.1, 0.2)});

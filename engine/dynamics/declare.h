@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/context.h"
+#include "dynamics/dynamics.h"
+#include "input/declaration/declaration.h"
+#include "input/declaration/registry.h"
+
+#include <memory>
+#include <type_traits>
+
+namespace sphinx {
+
+/// Makes a component in both dimensions; Declaration::builder of Kind::dynamics holds
+/// Factory<Method> or Factory<TimeStepMethod>.
+template <class Product>
+struct Factory {
+    std::unique_ptr<Product> (*in2d)(const void* parameters, Context<2>&);
+    std::unique_ptr<Product> (*in3d)(const void* parameters, Context<3>&);
+
+    template <int Dim>
+    std::unique_ptr<Product> make(const void* parameters, Context<Dim>& context) const {
+        if constexpr (Dim == 2)
+            return in2d(parameters, context);
+        else
+            return in3d(parameters, context);
+    }
+};
+
+/// Make: a lambda without captures, []<int Dim>(const P&, Context<Dim>&), that returns a
+/// std::unique_ptr to a class that derives from Product.
+template <class Product, class P, class Make>
+Factory<Product> factory(Make) {
+    return {[](const void* p, Context<2>& context) -> std::unique_ptr<Product> {
+                return Make{}.template operator()<2>(*static_cast<const P*>(p), context);
+            },
+            [](const void* p, Context<3>& context) -> std::unique_ptr<Product> {
+                return Make{}.template operator()<3>(*static_cast<const P*>(p), context);
+            }};
+}
+
+/// What Action::payload of a method holds: its member functions for both dimensions.
+struct BoundAction {
+    ActionCall in2d;
+    ActionCall in3d;
+
+    template <int Dim>
+    ActionCall call() const {
+        return Dim == 2 ? in2d : in3d;
+    }
+};
+
+/// Declaration of a method with the parameter struct P. Each action is bound to what it calls.
+template <class P, class Make>
+class DeclaredMethod final : public input::Declared<P> {
+ public:
+    DeclaredMethod(std::string name, Make make)
+        : input::Declared<P>(input::Kind::dynamics, std::move(name)) {
+        this->builder(factory<Method, P>(make));
+    }
+
+    /// The only action of its method: run(const Clock&). Loop lines call it by the method's name.
+    input::Action& action(std::string doc = {}) {
+        return action("", std::move(doc),
+                      [](auto& method, const Clock& clock) { method.run(clock); });
+    }
+    /// One of several, which loop lines call as METHOD.NAME. Call: a lambda without captures,
+    /// [](auto& method, const Clock&).
+    template <class Call>
+    input::Action& action(std::string name, std::string doc, Call) {
+        input::Action& added = this->addAction(std::move(name), std::move(doc));
+        added.payload(BoundAction{&callOn<2, Call>, &callOn<3, Call>});
+        return added;
+    }
+
+ private:
+    template <int Dim>
+    using Made = typename std::invoke_result_t<decltype(&Make::template operator()<Dim>), Make,
+                                               const P&, Context<Dim>&>::element_type;
+
+    template <int Dim, class Call>
+    static void callOn(Method& method, const Clock& clock) {
+        Call{}(static_cast<Made<Dim>&>(method), clock);
+    }
+};
+
+/// Registers a method in both dimensions; make: see factory().
+template <class P, class Make>
+DeclaredMethod<P, Make>& declareMethod(input::Registry& registry, std::string name, Make make) {
+    return registry.add(std::make_unique<DeclaredMethod<P, Make>>(std::move(name), make));
+}
+
+/// Registers a method that a layer's `dt` names. What its estimate reads is declared by timeStep().
+template <class P, class Make>
+input::Declared<P>& declareTimeStep(input::Registry& registry, std::string name, Make make) {
+    return registry.declare<P>(input::Kind::dynamics, std::move(name))
+        .builder(factory<TimeStepMethod, P>(make));
+}
+
+/// The body of a checked reference.
+template <int Dim>
+Body<Dim>& bodyOf(Context<Dim>& context, const input::Name& name) {
+    return *context.world.find(name.text);
+}
+
+}  // namespace sphinx
