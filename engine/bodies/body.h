@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "bodies/role.h"
+#include "bodies/roles.h"
 #include "geometry/shape.h"
 #include "kernels/kernel.h"
-#include "materials/material.h"
 #include "particles/particle_set.h"
 
-#include <algorithm>
+#include <cassert>
 #include <cstdint>
-#include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace sphinx {
-
-enum class BodyKind { fluid, solid, observer };
 
 /// Particles of a body that lie in a shape at the start.
 template <int Dim>
@@ -23,61 +22,71 @@ struct BodyPart {
     std::string name;
     AlignedVector<Index> particles;  ///< ascending
     geometry::ShapePointer<Dim> shape;
-    bool mirrors = false;  ///< a clamp: its particles are images, see Body::isImage
 };
 
-/// Particles with a material, a shape and a resolution.
+/// Particles with a role, a shape and a resolution.
 template <int Dim>
 struct Body {
     std::string name;
-    BodyKind kind = BodyKind::fluid;
+    /// In the order of Role.
+    std::variant<ObserverRole, FluidRole<Dim>, WallRole, ElasticRole<Dim>> role;
     ParticleSet<Dim> particles;
-    std::shared_ptr<const Material> material;  ///< null for observers
-    geometry::ShapePointer<Dim> shape;         ///< null for bodies given by points
-    double spacing = 0;                        ///< dp, length
+    geometry::ShapePointer<Dim> shape;  ///< null for bodies given by points
+    double spacing = 0;                 ///< dp, length
     Kernel<Dim> kernel;
-    Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
-    std::vector<Body*> sees;              ///< topology: whose particles act on this body
+    std::vector<Body*> sees;  ///< topology: whose particles act on this body
     /// Neighbors that are one piece of material with this body (topology: bonded).
     std::vector<Body*> bonded;
     std::vector<BodyPart<Dim>> parts;
-    /// Part of its cell that is elastic material, 0 to 1: what no clamp covers. Empty: 1.
-    std::vector<double> shares;
-    /// Stiffness of its hourglass control, pressure; see solid/deformation.h.
-    double hourglass_modulus = 0;
     /// Counts every change of positions or order of the particles: a list that was built at
     /// another count is stale.
     std::uint64_t version = 0;
 
     std::size_t size() const { return particles.size(); }
-    double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
-    /// The motion of the particle is that of others (constraint.clamp), it has no mass of its own.
-    bool isImage(std::size_t i) const { return share(i) < real_share; }
-    /// Finds the shares anew, from the parts that mirror.
-    void findShares() {
-        shares.clear();
-        for (const BodyPart<Dim>& part : parts) {
-            if (!part.mirrors) continue;
-            shares.resize(size(), 1);
-            for (std::size_t i = 0; i < size(); ++i)
-                shares[i] = std::min(shares[i], outside(part, i));
-        }
+
+    Role roleName() const { return static_cast<Role>(role.index()); }
+    bool isFluid() const { return std::holds_alternative<FluidRole<Dim>>(role); }
+    bool isWall() const { return std::holds_alternative<WallRole>(role); }
+    bool isElastic() const { return std::holds_alternative<ElasticRole<Dim>>(role); }
+    bool isObserver() const { return std::holds_alternative<ObserverRole>(role); }
+    bool isSolid() const { return isWall() || isElastic(); }
+
+    /// The role of a body that is known to have it.
+    FluidRole<Dim>& fluid() { return as<FluidRole<Dim>>(role); }
+    const FluidRole<Dim>& fluid() const { return as<const FluidRole<Dim>>(role); }
+    ElasticRole<Dim>& elastic() { return as<ElasticRole<Dim>>(role); }
+    const ElasticRole<Dim>& elastic() const { return as<const ElasticRole<Dim>>(role); }
+
+    /// Null for observers.
+    const Material* material() const {
+        if (isFluid()) return fluid().material.get();
+        if (isElastic()) return elastic().material.get();
+        return isWall() ? std::get<WallRole>(role).material.get() : nullptr;
     }
-    /// How much of the particle's cell, one spacing wide, lies outside of a part: 0 to 1.
-    double outside(const BodyPart<Dim>& part, std::size_t i) {
-        const auto& start = particles.vector(fields::initial_position);
-        const double share = 0.5 + part.shape->signedDistance(start[i]) / spacing;
-        constexpr double rounding = 1e-6;  // of the places of a lattice
-        return share < rounding ? 0 : share > 1 - rounding ? 1 : share;
+    /// Uniform gravity on the body; zero where it feels none. Acceleration.
+    Vec<Dim> gravity() const {
+        if (isFluid()) return fluid().gravity;
+        return isElastic() ? elastic().gravity : Vec<Dim>(Vec<Dim>::Zero());
     }
-    /// A particle of which clamps leave less is an image: rows of a lattice then begin between a
-    /// quarter and five quarters of a spacing outside of it.
-    static constexpr double real_share = 0.75 - 1e-6;
+    /// Of a fluid or an elastic body.
+    void addGravity(const Vec<Dim>& acceleration) {
+        (isFluid() ? fluid().gravity : elastic().gravity) += acceleration;
+    }
+    /// False for images, which have no mass of their own (ElasticRole::isImage).
+    bool hasMass(std::size_t i) const { return !isElastic() || !elastic().isImage(i); }
     /// This body and those bonded to it: one piece of material.
     std::vector<Body*> piece() {
         std::vector<Body*> bodies{this};
         bodies.insert(bodies.end(), bonded.begin(), bonded.end());
         return bodies;
+    }
+
+ private:
+    template <class Role, class Variant>
+    static Role& as(Variant& role) {
+        auto* found = std::get_if<std::remove_const_t<Role>>(&role);
+        assert(found && "the body has another role");
+        return *found;
     }
 };
 

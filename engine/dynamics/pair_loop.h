@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/lanes.h"
+#include "dynamics/pair.h"
 #include "neighbors/neighbor_list.h"
 
 #include <algorithm>
@@ -41,32 +42,11 @@ class Distances {
     double unit_;
 };
 
-/// Eight pairs of particle i with neighbors j, as pair terms see them: gradients in the list's
-/// gradient_unit.
+/// Eight pairs of particle i with neighbors j: gradients in the list's gradient_unit.
 template <int Dim>
-struct Pairs {
+struct Pairs : Pair<Dim, Lanes> {
     const std::uint32_t* index;  ///< j
-    Lanes gradient[Dim];         ///< e_ij W'
-    Lanes dW;                    ///< abs(W') = -W'
-    Lanes inverse_dW;            ///< 1 / abs(W'), large but finite where W' is 0
 };
-
-/// Sum over the components of a_c b_c. Every product is rounded before it is added: of a product
-/// fused with the addition and one that is not, the components of a turned case would change
-/// places.
-template <int Dim>
-inline Lanes dotLanes(const Lanes a[Dim], const Lanes b[Dim]) {
-    const auto product = [&](int c) {
-#if defined(__GNUC__) && !defined(__clang__)
-        return __builtin_assoc_barrier(a[c] * b[c]);  // GCC fuses across statements
-#else
-        return a[c] * b[c];
-#endif
-    };
-    Lanes sum = product(0);
-    for (int c = 1; c < Dim; ++c) sum += product(c);
-    return sum;
-}
 
 /// Asks for the blocks of the particle that a loop meets some hundred nanoseconds after i, one at a
 /// time: lists are too long for the caches, and particles need not stand in the lists' order.
@@ -101,7 +81,7 @@ inline void forEachPair(const NeighborList<Dim>& list, std::size_t i, Term&& ter
         Pairs<Dim> pairs;
         pairs.index = block.index;
         for (int c = 0; c < Dim; ++c) pairs.gradient[c] = loadLanes(block.gradient[c]);
-        const Lanes norm2 = dotLanes<Dim>(pairs.gradient, pairs.gradient);
+        const Lanes norm2 = dot<Dim>(pairs.gradient, pairs.gradient);
         pairs.inverse_dW = inverseSqrtLanes(norm2 + 1e-30);
         pairs.dW = norm2 * pairs.inverse_dW;
         term(pairs);

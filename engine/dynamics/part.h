@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "bodies/shares.h"
 #include "bodies/world.h"
 #include "core/parallel.h"
 #include "input/types/values.h"
@@ -25,16 +26,16 @@ class Part {
     std::size_t size() const { return part_ ? part_->particles.size() : body_->size(); }
     /// Index in the body of the n-th particle.
     std::size_t operator[](std::size_t n) const { return part_ ? part_->particles[n] : n; }
-    /// Body::findShares makes images of its particles. A whole body has none.
+    /// findShares() makes images of its particles (ElasticRole::isImage). A whole body has none.
     void mirror() {
-        if (part_) part_->mirrors = true;
+        if (part_) body_->elastic().clamps.push_back(part_);
     }
     /// Those that follow others because of this part; ascending.
     std::vector<Index> images() const {
         std::vector<Index> found;
         if (!part_) return found;
         for (std::size_t i = 0; i < body_->size(); ++i)
-            if (body_->outside(*part_, i) < Body<Dim>::real_share)
+            if (outside(*body_, *part_, i) < ElasticRole<Dim>::real_share)
                 found.push_back(static_cast<Index>(i));
         return found;
     }

@@ -15,17 +15,9 @@ struct Fibres {
     VecOf<Dim, Number> sheet = VecOf<Dim, Number>::Zero();
 };
 
-/// The final classes of ElasticSolid, for withLaw() of elastic.h.
-enum class ElasticLaw {
-    saint_venant_kirchhoff,
-    linear_elastic,
-    neo_hookean,
-    finite_extensibility,
-    holzapfel_muscle,
-};
-
 /// Hyperelastic solid in the total-Lagrangian form. In 2D it is in plane strain, C_33 = 1.
-/// What depends on the deformation are members of the final classes, reached through withLaw():
+/// What depends on the deformation are members of the final classes, reached through withLaw()
+/// of elastic_laws.h:
 ///
 ///     static constexpr bool uses_fibres;  // else `fibres` below is ignored: pass {}
 ///     template <int Dim, class Number = double>
@@ -50,10 +42,8 @@ enum class ElasticLaw {
 class ElasticSolid : public Material {
  public:
     /// rho0 in mass/length^3; eta in mass/(length time).
-    ElasticSolid(ElasticLaw law, double density, double damping)
-        : law_(law), density_(density), damping_(damping) {}
+    ElasticSolid(double density, double damping) : density_(density), damping_(damping) {}
 
-    ElasticLaw law() const { return law_; }
     double density() const override { return density_; }
     /// eta of the Kelvin-Voigt stress S^D = eta/2 (dF/dt^T F + F^T dF/dt), guide (16).
     double damping() const { return damping_; }
@@ -72,7 +62,6 @@ class ElasticSolid : public Material {
     virtual double shearModulus() const = 0;
 
  private:
-    ElasticLaw law_;
     double density_;
     double damping_;
 };

@@ -21,7 +21,7 @@ class FiniteExtensibility final : public IsotropicSolid {
     using Parameters = FiniteExtensibilityParameters;
 
     explicit FiniteExtensibility(const Parameters& p)
-        : IsotropicSolid(ElasticLaw::finite_extensibility, p), extensibility_(p.extensibility) {}
+        : IsotropicSolid(p), extensibility_(p.extensibility) {}
 
     double extensibility() const { return extensibility_; }
     double bulkModulus() const override {

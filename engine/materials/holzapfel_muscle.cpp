@@ -86,8 +86,7 @@ template auto HolzapfelMuscleParameters::directions(const Vec<2>&, Fibres<2>&) c
 template auto HolzapfelMuscleParameters::directions(const Vec<3>&, Fibres<3>&) const
     -> std::optional<Violation>;
 
-HolzapfelMuscle::HolzapfelMuscle(const Parameters& p)
-    : ElasticSolid(ElasticLaw::holzapfel_muscle, p.density, p.damping), p_(p) {
+HolzapfelMuscle::HolzapfelMuscle(const Parameters& p) : ElasticSolid(p.density, p.damping), p_(p) {
     const Stiffness tensor = stiffnessAtRest(p);
     longitudinal_modulus_ = largestLongitudinalModulus(tensor);
     bulk_modulus_ = averageBulkModulus(tensor);

@@ -28,8 +28,8 @@ struct IsotropicParameters {
 /// An isotropic solid with Lame's constants, K = lambda + 2/3 mu and G = mu.
 class IsotropicSolid : public ElasticSolid {
  public:
-    IsotropicSolid(ElasticLaw law, const IsotropicParameters& p)
-        : ElasticSolid(law, p.density, p.damping), lambda_(p.lambda()), mu_(p.mu()) {}
+    explicit IsotropicSolid(const IsotropicParameters& p)
+        : ElasticSolid(p.density, p.damping), lambda_(p.lambda()), mu_(p.mu()) {}
 
     double lambda() const { return lambda_; }
     double mu() const { return mu_; }

@@ -108,7 +108,7 @@ Stiffness LinearElasticParameters::tensor() const {
 }
 
 LinearElastic::LinearElastic(const Parameters& p)
-    : ElasticSolid(ElasticLaw::linear_elastic, p.density, p.damping), stiffness_(p.tensor()) {
+    : ElasticSolid(p.density, p.damping), stiffness_(p.tensor()) {
     constexpr int rows[] = {0, 1, 5};
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) plane_(i, j) = stiffness_(rows[i], rows[j]);

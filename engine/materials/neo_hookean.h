@@ -14,7 +14,7 @@ class NeoHookean final : public IsotropicSolid {
     static constexpr bool uses_fibres = false;
     using Parameters = IsotropicParameters;
 
-    explicit NeoHookean(const Parameters& p) : IsotropicSolid(ElasticLaw::neo_hookean, p) {}
+    explicit NeoHookean(const Parameters& p) : IsotropicSolid(p) {}
 
     template <int Dim, class Number = double>
     MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "materials/elastic.h"
+#include "materials/elastic_laws.h"
 #include "materials/register.h"
 
 namespace sphinx {

@@ -14,8 +14,7 @@ class SaintVenantKirchhoff final : public IsotropicSolid {
     static constexpr bool uses_fibres = false;
     using Parameters = IsotropicParameters;
 
-    explicit SaintVenantKirchhoff(const Parameters& p)
-        : IsotropicSolid(ElasticLaw::saint_venant_kirchhoff, p) {}
+    explicit SaintVenantKirchhoff(const Parameters& p) : IsotropicSolid(p) {}
 
     template <int Dim, class Number = double>
     MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {

@@ -127,12 +127,12 @@ std::unique_ptr<SeriesSource> makeElevationSource(const Body<Dim>& observer,
     std::vector<Filler> fluids, solids;
     Vec<Dim> gravity = Vec<Dim>::Zero();
     for (const Body<Dim>* body : observer.sees) {
-        if (body->kind != BodyKind::fluid) continue;
+        if (!body->isFluid()) continue;
         fluids.push_back(filler(*body));
-        if (gravity.isZero(0)) gravity = body->gravity;
+        if (gravity.isZero(0)) gravity = body->gravity();
         for (const Body<Dim>* seen : body->sees) {
             const auto same = [&](const Filler& known) { return known.body == seen; };
-            if (seen->kind == BodyKind::solid && std::ranges::none_of(solids, same))
+            if (seen->isSolid() && std::ranges::none_of(solids, same))
                 solids.push_back(filler(*seen));
         }
     }

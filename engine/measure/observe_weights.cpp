@@ -16,10 +16,7 @@ ObserveWeights<Dim>::ObserveWeights(const Body<Dim>& observer, Relations<Dim>& r
                 observer.particles.position().data() + observer.size()),
       relations_(&relations) {
     for (Body<Dim>* body : observer.sees) {
-        // The observer itself is not changed: a list only reads both of its bodies.
-        Relation<Dim>& relation = relations.relation(const_cast<Body<Dim>&>(observer), *body);
-        relation.list.keep_distance = true;
-        seen_.push_back(&relation);
+        seen_.push_back(&relations.observation(observer, *body));
         const auto* volume =
             dynamic_cast<const Field<double>*>(body->particles.find(fields::volume.name));
         if (!volume)

@@ -19,6 +19,7 @@ enum class Reduced {
     maximum_speed,
     front_position,
     force,
+    moment,
     support_reaction,
 };
 
@@ -28,6 +29,7 @@ struct ReduceParameters : MeanParameters {
     input::Name body;
     Reduced quantity = Reduced::mechanical_energy;
     std::optional<Axis> axis;
+    std::optional<input::Coordinates> about;
 };
 
 template <int Dim>
@@ -49,12 +51,14 @@ std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
             return frontPosition(reduced, axis);
         }
         case Reduced::support_reaction: return makeReactionSource(body, p.body.place, context);
+        case Reduced::moment:
         case Reduced::force: break;
     }
-    if (body.kind != BodyKind::solid)
+    if (!body.isSolid())
         failAt(p.body.place,
                "the force is that of fluids on a solid, but '" + body.name + "' is a fluid");
-    return makeForceSource(body, p.body.place, context);
+    const auto about = p.about ? std::optional(p.about->template as<Dim>()) : std::nullopt;
+    return makeForceSource<Dim>(body, p.body.place, context, about);
 }
 
 }  // namespace
@@ -77,6 +81,8 @@ void declareReduce(input::Registry& registry) {
             {"front_position", Reduced::front_position, "largest coordinate along 'axis'"},
             {"force", Reduced::force,
              "of the fluids on a solid: by pressure, by viscosity, and both"},
+            {"moment", Reduced::moment,
+             "of these forces about a point: by pressure, by viscosity, and both"},
             {"support_reaction", Reduced::support_reaction,
              "of the constraints on an elastic body, over its last step"},
         }),
@@ -84,7 +90,14 @@ void declareReduce(input::Registry& registry) {
     d.optional("axis", &P::axis,
                input::choice<Axis>({{"x", Axis::x, ""}, {"y", Axis::y, ""}, {"z", Axis::z, ""}}),
                "of front_position; default x");
+    d.optional("about", &P::about, input::coordinates(unit::length), "point of the moment");
     declareMeans(d);
+    d.check("about", [](const P& p) -> std::string {
+        return p.about && p.quantity != Reduced::moment ? "'about' is for moment" : "";
+    });
+    d.check("quantity", [](const P& p) -> std::string {
+        return !p.about && p.quantity == Reduced::moment ? "a moment needs a point: 'about'" : "";
+    });
     d.check("axis", [](const P& p) -> std::string {
         return p.axis && p.quantity != Reduced::front_position ? "'axis' is for front_position"
                                                                : "";

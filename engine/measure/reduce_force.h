@@ -8,18 +8,21 @@
 #include "io/series/series_quantity.h"
 
 #include <deque>
+#include <optional>
 
 namespace sphinx::io {
 
 /// Force of all fluids on a solid at the present velocities and pressures: the part by pressure,
-/// the part by viscosity, and their sum. The pair terms and lists are those of the methods that act
-/// (fluid/solid_load.h): within an advection step, in which lists stay as they are, the force is
-/// the one that the fluid feels. After particles were sorted or lost it takes a list of its own.
+/// the part by viscosity, and their sum; or of the moments about a point. The pair terms and lists
+/// are those of the methods that act (fluid/solid_load.h): within an advection step, in which lists
+/// stay as they are, the force is the one that the fluid feels. After particles were sorted or lost
+/// it takes a list of its own.
 template <int Dim>
 class ForceSource final : public SeriesSource {
  public:
     ForceSource(const Body<Dim>& solid, const std::vector<const fluid::SolidLoad<Dim>*>& loads,
-                Relations<Dim>& relations, const input::UnitSystem& units);
+                Relations<Dim>& relations, const input::UnitSystem& units,
+                const std::optional<Vec<Dim>>& moment_about);
 
     const std::vector<SeriesQuantity>& quantities() const override { return quantities_; }
     void sample(const Clock& clock, std::span<double> row) override;
@@ -35,6 +38,7 @@ class ForceSource final : public SeriesSource {
 
     const Body<Dim>* solid_;
     Relations<Dim>* relations_;
+    std::optional<Vec<Dim>> moment_about_;
     std::deque<FluidLoads> fluids_;
     std::vector<SeriesQuantity> quantities_;
 };
@@ -42,7 +46,8 @@ class ForceSource final : public SeriesSource {
 /// Throws CaseError at the place when no method of the loop acts between a fluid and the solid.
 template <int Dim>
 std::unique_ptr<SeriesSource> makeForceSource(const Body<Dim>& solid, const input::Place& place,
-                                              const OutputContext<Dim>& context);
+                                              const OutputContext<Dim>& context,
+                                              const std::optional<Vec<Dim>>& moment_about = {});
 
 extern template class ForceSource<2>;
 extern template class ForceSource<3>;

@@ -6,8 +6,7 @@
 #include "dynamics/solid/internal_energy.h"
 #include "io/output/unit_text.h"
 #include "io/series/series_columns.h"
-#include "materials/elastic_solid.h"
-#include "materials/fluid.h"
+#include "materials/fluid_laws.h"
 #include "measure/reduce.h"
 
 #include <array>
@@ -43,7 +42,7 @@ struct Motion {
           m(&require<double>(reduced, fields::mass)) {}
 
     /// Of the material; images are none.
-    double mass(std::size_t i) const { return body->isImage(i) ? 0 : (*m)[i]; }
+    double mass(std::size_t i) const { return body->hasMass(i) ? (*m)[i] : 0; }
     double kinetic(std::size_t i) const { return 0.5 * mass(i) * (*v)[i].squaredNorm(); }
 
     const Body<Dim>* body;
@@ -63,13 +62,21 @@ std::unique_ptr<SeriesSource> sums(std::vector<SeriesQuantity> quantities, const
     });
 }
 
+/// sum of m e(rho)
+template <int Dim>
+double fluidEnergy(const Motion<Dim>& motion, const Field<double>& density) {
+    return withLaw(*motion.body->fluid().material, [&](const auto& law) {
+        return parallelSum(motion.body->size(), [&](std::size_t i) {
+            return motion.mass(i) * law.internalEnergy(density[i]);
+        });
+    });
+}
+
 }  // namespace
 
 template <int Dim>
 std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) {
-    const auto* material = reduced.body->material.get();
-    const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(material);
-    if (!fluid && !dynamic_cast<const ElasticSolid*>(material))
+    if (reduced.body->isWall())
         failAt(reduced.place, "'" + reduced.body->name +
                                   "' is rigid: it has no internal energy; ask for kinetic_energy");
     const std::string energy = unitText(unit::energy, reduced.units);
@@ -86,15 +93,15 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
              "sum of V W(F), with its hourglass control",
              {}},
             {"total", energy, "kinetic + potential + internal", {}}},
-        [motion, fluid, density, relations](std::span<double> row) {
-            const Vec<Dim> g = motion.body->gravity;
-            const auto sum = parallelSum(motion.body->size(), [&](std::size_t i) {
-                const double m = motion.mass(i);
-                return Sums<3>{{motion.kinetic(i), -m * g.dot((*motion.x)[i]),
-                                fluid ? m * fluid->internalEnergy((*density)[i]) : 0}};
+        [motion, density, relations](std::span<double> row) {
+            const Body<Dim>& body = *motion.body;
+            const Vec<Dim> g = body.gravity();
+            const auto sum = parallelSum(body.size(), [&](std::size_t i) {
+                return Sums<2>{{motion.kinetic(i), -motion.mass(i) * g.dot((*motion.x)[i])}};
             });
-            for (int k = 0; k < 3; ++k) row[k] = sum.values[k];
-            if (!fluid) row[2] = solid::internalEnergy(*motion.body, *relations);
+            for (int k = 0; k < 2; ++k) row[k] = sum.values[k];
+            row[2] = body.isFluid() ? fluidEnergy(motion, *density)
+                                    : solid::internalEnergy(body, *relations);
             row[3] = row[0] + row[1] + row[2];
         });
 }

@@ -89,7 +89,7 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same, const 
     const Images<Dim> images(domain);
     const std::size_t n = from.particles();
     list.ranges.resize(n);
-    if (list.keep_kernel_sum) list.kernel_sum.resize(n);
+    if (list.keeps.kernel_sum) list.kernel_sum.resize(n);
 
     // Every range of cells writes into its own stretch of the buffer: slots blocks per particle.
     // Where that was not enough, all is done again with more.
@@ -98,7 +98,7 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same, const 
         std::atomic<bool> full = false;
         std::atomic<std::size_t> needed = 0;
         const auto total = static_cast<std::size_t>(slots * static_cast<double>(n));
-        if (list.keep_distance) list.distance.resize(list.blocks.size() * lane_count);
+        if (list.keeps.distance) list.distance.resize(list.blocks.size() * lane_count);
 
         const auto cells = [&](std::size_t cell_begin, std::size_t cell_end) {
             thread_local Candidates<Dim> candidates;
@@ -144,9 +144,9 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same, const 
                                           static_cast<std::uint32_t>(count)};
                         const double sum = fillBlocks<K, Shifted, Dim, Real>(
                             xi, candidates, found.data(), count, factors, list.blocks.data() + next,
-                            list.keep_distance ? list.distance.data() + next * lane_count
-                                               : nullptr);
-                        if (list.keep_kernel_sum) list.kernel_sum[i] = sum;
+                            list.keeps.distance ? list.distance.data() + next * lane_count
+                                                : nullptr);
+                        if (list.keeps.kernel_sum) list.kernel_sum[i] = sum;
                         next += blocks;
                     }
                 };

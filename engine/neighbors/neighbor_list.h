@@ -23,6 +23,12 @@ struct alignas(32) PairBlock {
     Number gradient[Dim][lane_count];
 };
 
+/// What a list keeps besides neighbors and gradients.
+struct Keeps {
+    bool distance = false;
+    bool kernel_sum = false;
+};
+
 /// Neighbors in body `to` of every particle of body `from`, r < cutoff, the particle itself left
 /// out.
 template <int Dim, class Number = std::int32_t>
@@ -38,11 +44,10 @@ struct NeighborList {
     double gradient_unit = 1;  ///< 1/length^(Dim+1); 1 where gradients are stored in double
     AlignedVector<Range> ranges;
     AlignedVector<Block> blocks;
-    /// r_ij, eight per block, kept on request, in units of distanceUnit().
-    bool keep_distance = false;
+    Keeps keeps;
+    /// r_ij, eight per block, if kept, in units of distanceUnit().
     AlignedVector<std::int32_t> distance;
-    /// Sum over the neighbors of W(r_ij), kept on request. 1/length^Dim.
-    bool keep_kernel_sum = false;
+    /// Sum over the neighbors of W(r_ij), if kept. 1/length^Dim.
     AlignedVector<double> kernel_sum;
 
     std::span<const Block> of(std::size_t i) const {

@@ -23,7 +23,7 @@ class ReferenceList {
         int lane;           ///< place of the particle in its group
         Index index;        ///< j
         Vec<Dim> gradient;  ///< e_ij W'_ij V_j, 1/length; not 0
-        /// abs(W'_ij)/R_ij V_j times the mean share of both (Body::shares). 1/length^2
+        /// abs(W'_ij)/R_ij V_j times the mean share of both (ElasticRole::shares). 1/length^2
         double weight;
     };
     using Lane = std::array<double, lane_count>;

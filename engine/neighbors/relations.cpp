@@ -18,18 +18,25 @@ const Kernel<Dim>& commonKernel(const Body<Dim>& a, const Body<Dim>& b) {
 }  // namespace
 
 template <int Dim>
-Relation<Dim>& Relations<Dim>::relation(Body<Dim>& from, Body<Dim>& to) {
-    for (const auto& r : relations_)
-        if (r->from == &from && r->to == &to) return *r;
-    auto r = std::make_unique<Relation<Dim>>();
-    r->from = &from;
-    r->to = &to;
-    relations_.push_back(std::move(r));
-    return *relations_.back();
+Relation<Dim>& Relations<Dim>::relation(Purpose purpose, const Body<Dim>& from, const Body<Dim>& to,
+                                        Keeps keeps) {
+    const auto same = [&](const auto& r) {
+        return r->purpose == purpose && r->from == &from && r->to == &to;
+    };
+    auto found = std::find_if(relations_.begin(), relations_.end(), same);
+    if (found == relations_.end()) {
+        relations_.push_back(
+            std::make_unique<Relation<Dim>>(Relation<Dim>{purpose, &from, &to, {}}));
+        found = relations_.end() - 1;
+    }
+    Keeps& kept = (*found)->list.keeps;
+    kept.distance = kept.distance || keeps.distance;
+    kept.kernel_sum = kept.kernel_sum || keeps.kernel_sum;
+    return **found;
 }
 
 template <int Dim>
-const CellGrid<Dim>& Relations<Dim>::grid(Body<Dim>& body) {
+const CellGrid<Dim>& Relations<Dim>::grid(const Body<Dim>& body) {
     Grid& grid = grids_[&body];
     if (grid.version != body.version) {
         grid.cells.build(body.particles.position().data(), body.size(), body.kernel.cutoff());
@@ -55,7 +62,7 @@ void Relations<Dim>::update(const std::vector<Body<Dim>*>& bodies) {
         return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
     };
     for (const auto& r : relations_) {
-        if (r->from->kind == BodyKind::observer) continue;
+        if (r->purpose != Purpose::flow) continue;
         if (named(r->from) || named(r->to)) update(*r);
     }
 }
@@ -98,7 +105,7 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
                 if (g.isZero(0)) continue;
                 const Vec<Dim> R = world_->domain.difference(from[i], to[j]);
                 // Each side bears half of a bond's energy, as far as it is material.
-                const double share = 0.5 * (r.from->share(i) + r.to->share(j));
+                const double share = 0.5 * (r.from->elastic().share(i) + r.to->elastic().share(j));
                 neighbors.push_back({lane, j, g, share * g.norm() / R.norm()});
             }
         }

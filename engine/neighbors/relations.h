@@ -13,11 +13,19 @@
 
 namespace sphinx {
 
-/// Neighbors in one body of the particles of another (or the same), kept up to date on request.
+/// What a list is for. Two bodies may have one for each purpose: an elastic body its neighbors in
+/// the reference configuration (ReferenceRelation), and others in the present one.
+enum class Purpose {
+    flow,         ///< the sums of fluids; rebuilt by neighbors.update
+    observation,  ///< outputs that look; rebuilt by them before they write
+};
+
+/// Neighbors in one body of the particles of another (or the same) where they are now.
 template <int Dim>
 struct Relation {
-    Body<Dim>* from = nullptr;
-    Body<Dim>* to = nullptr;
+    Purpose purpose = Purpose::flow;
+    const Body<Dim>* from = nullptr;
+    const Body<Dim>* to = nullptr;
     NeighborList<Dim> list;
     std::uint64_t from_version = ~std::uint64_t{0};  ///< versions of the bodies when last built
     std::uint64_t to_version = ~std::uint64_t{0};
@@ -47,10 +55,15 @@ class Relations {
  public:
     explicit Relations(World<Dim>& world) : world_(&world) {}
 
-    /// The relation, made (empty) on first use. Its address stays.
-    Relation<Dim>& relation(Body<Dim>& from, Body<Dim>& to);
-    /// Rebuilds those of the relations that have one of the bodies on either side and are stale.
-    /// Relations of observers are left to their outputs.
+    /// The relation of that purpose, made (empty) on first use. Its address stays. Its list keeps
+    /// what any of those keep who have asked for it.
+    Relation<Dim>& flow(const Body<Dim>& from, const Body<Dim>& to, Keeps keeps) {
+        return relation(Purpose::flow, from, to, keeps);
+    }
+    Relation<Dim>& observation(const Body<Dim>& observer, const Body<Dim>& to) {
+        return relation(Purpose::observation, observer, to, {.distance = true});
+    }
+    /// Rebuilds what is stale of the relations of flow that have one of the bodies on either side.
     void update(const std::vector<Body<Dim>*>& bodies);
     /// Rebuilds this one if it is stale.
     void update(Relation<Dim>& relation);
@@ -68,7 +81,9 @@ class Relations {
         CellGrid<Dim> cells;
         std::uint64_t version = ~std::uint64_t{0};
     };
-    const CellGrid<Dim>& grid(Body<Dim>& body);
+    Relation<Dim>& relation(Purpose purpose, const Body<Dim>& from, const Body<Dim>& to,
+                            Keeps keeps);
+    const CellGrid<Dim>& grid(const Body<Dim>& body);
 
     World<Dim>* world_;
     std::vector<std::unique_ptr<Relation<Dim>>> relations_;

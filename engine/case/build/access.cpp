@@ -50,7 +50,7 @@ Words ownerBodies(const Case& model, const Component& method, const std::string&
             for (const Contact& contact : model.seenBy(body)) {
                 const Body& other = *model.findBody(contact.body.text);
                 const Words traits =
-                    bodyTraits(other.kind, model.findMaterial(other.material.text));
+                    bodyTraits(other.role, model.findMaterial(other.material.text));
                 const bool wanted =
                     bonded ? contact.bonded
                            : trait.empty() ||

@@ -7,8 +7,7 @@
 #include "case/build/parts.h"
 #include "core/parallel.h"
 #include "input/expressions/vector_at_time.h"
-#include "materials/elastic_solid.h"
-#include "materials/fluid.h"
+#include "materials/fluid_laws.h"
 
 namespace sphinx::model {
 
@@ -27,37 +26,40 @@ void setInitialValues(const Body& source, const std::vector<double>& volumes, do
         const input::VectorAtTime<Dim> initial(*source.initial.velocity, time);
         parallelFor(n, [&](std::size_t i) { velocity[i] = initial(position[i]); });
     }
-    const double rho0 = body.material->density();
+    const double rho0 = body.material()->density();
     for (std::size_t i = 0; i < n; ++i) {
         density[i] = rho0;
         volume[i] = volumes[i];
     }
-    if (const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(body.material.get())) {
+    if (body.isFluid()) {
         auto& pressure = particles.scalar(fields::pressure);
         auto& reference = particles.scalar(fields::reference_density);
         particles.scalar(fields::density_rate);
         if (source.initial.pressure)
-            parallelFor(n, [&](std::size_t i) {
-                pressure[i] = source.initial.pressure->template operator()<Dim>(position[i], time);
-                density[i] = fluid->densityAt(pressure[i]);
+            withLaw(*body.fluid().material, [&](const auto& law) {
+                const auto& initial = *source.initial.pressure;
+                parallelFor(n, [&](std::size_t i) {
+                    pressure[i] = initial.template operator()<Dim>(position[i], time);
+                    density[i] = law.densityAt(pressure[i]);
+                });
             });
         for (std::size_t i = 0; i < n; ++i) reference[i] = density[i];
     }
     for (std::size_t i = 0; i < n; ++i) mass[i] = density[i] * volume[i];
-    if (dynamic_cast<const ElasticSolid*>(body.material.get())) {
+    if (body.isElastic()) {
         auto& average_velocity = particles.vector(fields::average_velocity);
         for (std::size_t i = 0; i < n; ++i) average_velocity[i] = velocity[i];
     }
 }
 
 std::vector<std::string> initialFields(const Case& model, const Body& body) {
-    if (body.kind == BodyKind::observer) return {};
-    if (body.kind == BodyKind::fluid)
+    if (body.role == Role::observer) return {};
+    if (body.role == Role::fluid)
         return {"velocity", "density", "density_rate", "reference_density",
                 "mass",     "volume",  "pressure"};
     std::vector<std::string> names{"velocity", "acceleration", "density", "mass", "volume"};
     if (hasFibres(model, body)) names.insert(names.end(), {"fibre", "sheet"});
-    if (isElastic(model, body)) {
+    if (body.role == Role::elastic) {
         names.emplace_back("average_velocity");
         // Zero at first, where a method has them at all.
         for (const char* name :

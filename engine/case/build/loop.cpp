@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/build/loop.h"
 
+#include "bodies/shares.h"
 #include "loop/flow/zeroing.h"
 
 #include <algorithm>
@@ -99,7 +100,8 @@ Methods<Dim>::Methods(const Case& model, Context<Dim>& context) : world_(&contex
 
 template <int Dim>
 void Methods<Dim>::prepare(Origin origin) {
-    for (const auto& body : world_->bodies) body->findShares();
+    for (const auto& body : world_->bodies)
+        if (body->isElastic()) findShares(*body);
     for (const auto& [name, method] : methods_) method->prepare(origin);
 }
 

@@ -19,11 +19,11 @@ class FactsMaker {
     PlacedFacts make() {
         loop::LoopFacts& facts = result_.facts;
         for (const Body& body : model_.bodies) {
-            if (body.kind == BodyKind::observer) continue;
-            const bool elastic = isElastic(model_, body);
+            if (body.role == Role::observer) continue;
+            const bool elastic = body.role == Role::elastic;
             // An elastic body may be held as a whole: the base of a gate.
             facts.bodies.push_back(
-                {body.name, body.kind == BodyKind::fluid, initialFields(model_, body)});
+                {body.name, body.role == Role::fluid, initialFields(model_, body)});
             for (const Contact& contact : model_.seenBy(body.name)) {
                 const bool own = contact.body.text == body.name;
                 facts.lists.push_back(
@@ -56,7 +56,7 @@ class FactsMaker {
         const bool removes =
             method.declaration->hasTrait("removes") && model_.domain.lost == LostParticles::remove;
         for (const FieldAccess& access : facts.accesses) {
-            const bool fluid = model_.findBody(access.body)->kind == BodyKind::fluid;
+            const bool fluid = model_.findBody(access.body)->role == Role::fluid;
             if ((permutes || (removes && fluid)) &&
                 std::find(facts.permutes.begin(), facts.permutes.end(), access.body) ==
                     facts.permutes.end())

@@ -28,7 +28,7 @@ template <int Dim>
 std::vector<const sphinx::Body<Dim>*> followers(const OutputTools<Dim>& tools) {
     std::vector<const sphinx::Body<Dim>*> bodies;
     for (const Body& body : tools.model.bodies)
-        if (body.kind == BodyKind::observer && body.follows == Follows::material)
+        if (body.role == Role::observer && body.follows == Follows::material)
             bodies.push_back(tools.world.find(body.name));
     return bodies;
 }

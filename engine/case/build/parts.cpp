@@ -7,7 +7,7 @@
 namespace sphinx::model {
 
 bool keepsInitialPosition(const Case& model, const Body& body) {
-    return isElastic(model, body) || !body.parts.empty() ||
+    return body.role == Role::elastic || !body.parts.empty() ||
            isAccessed(model, body, fields::initial_position.name);
 }
 

@@ -32,6 +32,19 @@ sphinx::Domain<Dim> makeDomain(const Case& model) {
     return domain;
 }
 
+/// The role of a body of that material; its kind and the material's are known to agree.
+template <int Dim>
+decltype(sphinx::Body<Dim>::role) makeRole(Role role, std::shared_ptr<const Material> material) {
+    switch (role) {
+        case Role::fluid: return FluidRole<Dim>{std::dynamic_pointer_cast<const Fluid>(material)};
+        case Role::elastic:
+            return ElasticRole<Dim>{std::dynamic_pointer_cast<const ElasticSolid>(material)};
+        case Role::wall: return WallRole{std::move(material)};
+        case Role::observer: break;
+    }
+    return ObserverRole{};
+}
+
 /// Lattice lines start at the origin that the body names, else at that of the coordinates; along a
 /// periodic axis at the lower bound, so that the lattice goes on across it.
 template <int Dim>
@@ -60,7 +73,7 @@ void makeParticles(const Case& model, const Body& source, const sphinx::Domain<D
                    sphinx::Body<Dim>& body) {
     std::vector<Vec<Dim>> points;
     std::vector<double> volumes;
-    if (source.kind == BodyKind::observer) {
+    if (source.role == Role::observer) {
         for (const Coordinates& p : source.points) points.push_back(p.as<Dim>());
     } else if (source.particles) {
         for (const Coordinates& p : source.particles->points) points.push_back(p.as<Dim>());
@@ -73,7 +86,7 @@ void makeParticles(const Case& model, const Body& source, const sphinx::Domain<D
 
     body.particles.append(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) body.particles.position()[i] = points[i];
-    if (source.kind == BodyKind::observer) return;
+    if (source.role == Role::observer) return;
     setInitialValues(source, volumes, model.loop.start_time, body);
     if (keepsInitialPosition(model, source)) {
         auto& start = body.particles.vector(fields::initial_position);
@@ -100,14 +113,14 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
     for (const Body& source : model.bodies) {
         auto body = std::make_unique<sphinx::Body<Dim>>();
         body->name = source.name;
-        body->kind = source.kind;
-        if (!source.material.empty()) body->material = materials.at(source.material.text);
+        if (!source.material.empty())
+            body->role = makeRole<Dim>(source.role, materials.at(source.material.text));
         if (!source.shape.empty()) body->shape = model.findShape(source.shape.text)->as<Dim>();
         body->spacing = source.spacing(model.resolution);
         const double h = source.smoothingRatio(model.resolution) * body->spacing;
         body->kernel = Kernel<Dim>(model.resolution.kernel, h, body->spacing);
-        for (const Part& part : source.parts) body->parts.push_back({part.name, {}, {}, false});
-        if (particles || source.kind == BodyKind::observer)
+        for (const Part& part : source.parts) body->parts.push_back({part.name, {}, {}});
+        if (particles || source.role == Role::observer)
             makeParticles(model, source, world->domain, *body);
         if (particles && hasFibres(model, source))
             setFibres(*model.findMaterial(source.material.text), *body, diagnostics);
@@ -119,7 +132,7 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
             (contact.bonded ? body->bonded : body->sees).push_back(other);
         }
     for (const auto& body : world->bodies)
-        if (body->kind == BodyKind::observer && !body->sees.empty()) {
+        if (body->isObserver() && !body->sees.empty()) {
             body->spacing = body->sees.front()->spacing;
             body->kernel = body->sees.front()->kernel;
         }

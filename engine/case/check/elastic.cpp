@@ -43,7 +43,7 @@ template <int Dim>
 void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
     checkHourglassControl(model, diagnostics);
     for (const Body& source : model.bodies) {
-        if (!isElastic(model, source)) continue;
+        if (source.role != Role::elastic) continue;
         sphinx::Body<Dim>& body = *world.find(source.name);
         for (int axis = 0; axis < Dim; ++axis) {
             if (!world.domain.periodic[axis]) continue;

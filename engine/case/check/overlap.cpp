@@ -140,7 +140,7 @@ void checkOverlap(const Case& model, const World<Dim>& world, input::Diagnostics
         for (std::size_t k = m + 1; k < world.bodies.size(); ++k) {
             const auto& a = *world.bodies[m];
             const auto& b = *world.bodies[k];
-            if (a.kind == BodyKind::observer || b.kind == BodyKind::observer) continue;
+            if (a.isObserver() || b.isObserver()) continue;
             if (a.size() == 0 || b.size() == 0) continue;
             checkPair<Dim>(model, world, a, b, diagnostics);
         }

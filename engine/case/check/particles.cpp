@@ -37,7 +37,7 @@ double countAbout(const geometry::Shape<Dim>& shape, double spacing) {
 template <int Dim>
 void checkDomain(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
                  input::Diagnostics& diagnostics) {
-    if (body.kind == BodyKind::solid) return;
+    if (body.isSolid()) return;
     const auto& position = body.particles.position();
     std::size_t outside = 0;
     std::size_t first = 0;
@@ -47,7 +47,7 @@ void checkDomain(const Body& source, const sphinx::Body<Dim>& body, const World<
             first = i;
         }
     if (outside == 0) return;
-    if (body.kind == BodyKind::fluid)
+    if (body.isFluid())
         diagnostics.error(
             source.place,
             fmt::format("{} of {} particles of {} start outside of the domain, the "
@@ -131,7 +131,7 @@ void checkParticles(const Case& model, const World<Dim>& world, input::Diagnosti
                                   fmt::format("the part '{}' of {} holds none of its particles",
                                               body.parts[k].name, body.name));
         checkDomain<Dim>(source, body, world, diagnostics);
-        if (body.kind == BodyKind::observer) continue;
+        if (body.isObserver()) continue;
         checkPeriod<Dim>(source, body, world, diagnostics);
         checkInitialValues<Dim>(source, body, world, diagnostics);
     }

@@ -4,7 +4,7 @@
 
 #include "dynamics/fluid/viscous_force.h"
 #include "dynamics/fsi/fluid_force.h"
-#include "materials/fluid.h"
+#include "materials/weakly_compressible_fluid.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@ namespace sphinx::model {
 
 void checkViscosity(const Case& model, input::Diagnostics& diagnostics) {
     for (const Body& body : model.bodies) {
-        if (body.kind != BodyKind::fluid) continue;
+        if (body.role != Role::fluid) continue;
         const Component& material = *model.findMaterial(body.material.text);
-        const bool viscous = material.as<WeaklyCompressibleFluid::Parameters>().viscosity > 0;
+        const bool viscous = material.as<WeaklyCompressibleFluidParameters>().viscosity > 0;
         bool applied = false;
         bool sticks = false;  // to solids
         for (const Component& method : model.dynamics) {

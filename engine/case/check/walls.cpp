@@ -67,11 +67,11 @@ void checkNormals(const Case& model, input::Diagnostics& diagnostics) {
 /// A rigid body acts on those that see it, and on nothing else.
 void checkSeen(const Case& model, input::Diagnostics& diagnostics) {
     for (const Body& wall : model.bodies) {
-        if (wall.kind != BodyKind::solid || isElastic(model, wall)) continue;
+        if (wall.role != Role::wall) continue;
         const bool seen =
             std::any_of(model.topology.begin(), model.topology.end(), [&](const Sight& sight) {
                 const Body& seer = *model.findBody(sight.body.text);
-                return (seer.kind == BodyKind::fluid || isElastic(model, seer)) &&
+                return (seer.role == Role::fluid || seer.role == Role::elastic) &&
                        std::any_of(sight.sees.begin(), sight.sees.end(),
                                    [&](const Contact& c) { return c.body.text == wall.name; });
             });
@@ -89,10 +89,10 @@ void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& 
     checkNormals(model, diagnostics);
     checkSeen(model, diagnostics);
     for (const auto& solid : world.bodies) {
-        if (solid->kind != BodyKind::solid) continue;
+        if (!solid->isSolid()) continue;
         const sphinx::Body<Dim>* finest = nullptr;  // of the fluids that see it
         for (const auto& fluid : world.bodies)
-            if (fluid->kind == BodyKind::fluid &&
+            if (fluid->isFluid() &&
                 std::find(fluid->sees.begin(), fluid->sees.end(), solid.get()) !=
                     fluid->sees.end() &&
                 (!finest || fluid->spacing < finest->spacing))
@@ -105,7 +105,7 @@ void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& 
                 fmt::format("{} has a spacing of {}, coarser than the {} of {}, which may leak",
                             solid->name, world.quantityText(solid->spacing, unit::length),
                             world.quantityText(finest->spacing, unit::length), finest->name));
-        if (solid->shape && dynamic_cast<const Rigid*>(solid->material.get()))
+        if (solid->shape && solid->isWall())
             checkThickness<Dim>(source, world, *solid, *finest, diagnostics);
     }
 }

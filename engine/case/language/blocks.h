@@ -22,6 +22,8 @@ struct AreaBlock {
     std::vector<int> points;
 };
 
+enum class BodyKind { fluid, solid, observer };
+
 struct BodyBlock {
     BodyKind kind = BodyKind::fluid;
     Name shape;

@@ -43,12 +43,12 @@ std::vector<Coordinates> pointsOf(const AreaBlock& area) {
     return points;
 }
 
-Body makeBody(const NamedBody& named, int dimension) {
+Body makeBody(const NamedBody& named, const Component* material, int dimension) {
     const BodyBlock& block = named.block;
     Body body;
     body.name = named.name;
     body.place = named.place;
-    body.kind = block.kind;
+    body.role = roleOf(block.kind, material);
     body.shape = block.shape;
     body.material = block.material;
     body.resolution = block.resolution.value_or(BodyResolution{});
@@ -116,7 +116,8 @@ Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& dia
     model.shapes = buildShapes(block.geometry, block.dimension, diagnostics);
     model.materials = block.materials;
     for (const NamedBody& body : block.bodies)
-        model.bodies.push_back(makeBody(body, block.dimension));
+        model.bodies.push_back(makeBody(
+            body, findComponent(block.materials, body.block.material.text), block.dimension));
     for (const auto& [body, contacts] : block.topology) {
         Sight& sight = model.topology.emplace_back();
         sight.body = body;
@@ -139,11 +140,6 @@ Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& dia
         made.every = output.block.every.value_or(Every{});
     }
     return model;
-}
-
-bool isElastic(const Case& model, const Body& body) {
-    const Component* material = model.findMaterial(body.material.text);
-    return material && material->declaration->hasTrait("elastic");
 }
 
 double Body::spacing(const Resolution& reference) const {

@@ -21,12 +21,6 @@ Words namesOf(const Entries& entries) {
     return names;
 }
 
-const Component* findComponent(const std::vector<Component>& components, std::string_view name) {
-    for (const Component& component : components)
-        if (component.name == name) return &component;
-    return nullptr;
-}
-
 void collectLayers(const LayerBlock& layer, Words& names) {
     names.push_back(layer.layer.text);
     for (const StepBlock& step : layer.steps)
@@ -146,7 +140,7 @@ class NameCheck {
                 return;
             }
         }
-        traits_[body.name] = bodyTraits(kind, material);
+        traits_[body.name] = bodyTraits(roleOf(kind, material), material);
     }
 
     bool report(const Place& place, std::string message) {
@@ -256,10 +250,25 @@ class NameCheck {
 
 }  // namespace
 
-std::vector<std::string> bodyTraits(BodyKind kind, const Component* material) {
-    Words traits{kind == BodyKind::fluid   ? "fluid"
-                 : kind == BodyKind::solid ? "solid"
-                                           : "observer"};
+const Component* findComponent(const std::vector<Component>& components, std::string_view name) {
+    for (const Component& component : components)
+        if (component.name == name) return &component;
+    return nullptr;
+}
+
+Role roleOf(BodyKind kind, const Component* material) {
+    switch (kind) {
+        case BodyKind::fluid: return Role::fluid;
+        case BodyKind::observer: return Role::observer;
+        case BodyKind::solid: break;
+    }
+    const bool elastic =
+        material && material->declaration && material->declaration->hasTrait("elastic");
+    return elastic ? Role::elastic : Role::wall;
+}
+
+std::vector<std::string> bodyTraits(Role role, const Component* material) {
+    Words traits{role == Role::fluid ? "fluid" : role == Role::observer ? "observer" : "solid"};
     if (!material || !material->declaration) return traits;
     for (const std::string& trait : material->declaration->traits())
         if (std::find(traits.begin(), traits.end(), trait) == traits.end()) traits.push_back(trait);

@@ -24,8 +24,12 @@ void warnUnused(const CaseBlock& block, const input::Reader& reader);
 Case makeModel(const CaseBlock& block, const input::UnitSystem& units,
                input::Diagnostics& diagnostics);
 
+/// nullptr when there is none.
+const Component* findComponent(const std::vector<Component>& components, std::string_view name);
+/// What a body of that kind and material is to others.
+Role roleOf(BodyKind kind, const Component* material);
 /// Words that a reference may ask of a body: its kind, its material's type and traits.
-std::vector<std::string> bodyTraits(BodyKind kind, const Component* material);
+std::vector<std::string> bodyTraits(Role role, const Component* material);
 
 /// "pressure_relaxation.first_half" as method and action.
 std::pair<std::string, std::string> splitAction(const std::string& text);

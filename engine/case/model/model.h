@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bodies/body.h"
+#include "bodies/role.h"
 #include "bodies/world.h"
 #include "geometry/shape.h"
 #include "input/declaration/component.h"
@@ -82,7 +82,7 @@ struct DirectParticles {
 struct Body {
     std::string name;
     Place place;
-    BodyKind kind = BodyKind::fluid;
+    Role role = Role::observer;
     Name shape;     ///< empty for observers and bodies of direct particles
     Name material;  ///< empty for observers
     BodyResolution resolution;
@@ -174,8 +174,5 @@ struct Case {
     /// What the body sees; empty when topology does not name it.
     const std::vector<Contact>& seenBy(std::string_view body) const;
 };
-
-/// Whether the body's material is an elastic solid.
-bool isElastic(const Case& model, const Body& body);
 
 }  // namespace sphinx::model

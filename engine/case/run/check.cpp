@@ -43,9 +43,8 @@ double memory(const World<Dim>& world) {
     for (const auto& body : world.bodies) {
         const auto n = static_cast<double>(body->size());
         sum += static_cast<double>(body->particles.bytes()) + 64 * n;
-        const bool elastic = dynamic_cast<const ElasticSolid*>(body->material.get()) != nullptr;
         const std::size_t block =  // of eight: gradient, weight, indices
-            elastic
+            body->isElastic()
                 ? (Dim + 1) * sizeof(typename ReferenceList<Dim>::Lane) + lane_count * sizeof(Index)
                 : sizeof(typename NeighborList<Dim>::Block);
         for (const auto* other : body->sees)

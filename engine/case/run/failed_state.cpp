@@ -10,7 +10,7 @@ void writeFailedState(const World<Dim>& world, const Clock& clock,
     io::makeFolder(parameters.folder);
     std::vector<io::BodyFrames<Dim>> frames;
     for (const auto& body : world.bodies) {
-        if (body->kind == BodyKind::observer) continue;
+        if (body->isObserver()) continue;
         io::BodyFrames<Dim> entry{body.get(), {}};
         for (const auto& field : body->particles.all())
             if (field->info().name != fields::position.name)

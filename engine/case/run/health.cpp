@@ -5,8 +5,6 @@
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
-#include "materials/elastic_solid.h"
-#include "materials/fluid.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -41,15 +39,14 @@ struct Extremes {
 
 template <int Dim>
 bool moves(const sphinx::Body<Dim>& body) {
-    return dynamic_cast<const WeaklyCompressibleFluid*>(body.material.get()) ||
-           dynamic_cast<const ElasticSolid*>(body.material.get());
+    return body.isFluid() || body.isElastic();
 }
 
 template <int Dim>
 Extremes extremes(sphinx::Body<Dim>& body) {
     const auto& velocity = body.particles.vector(fields::velocity);
     const auto& density = body.particles.scalar(fields::density);
-    const double rho0 = body.material->density();
+    const double rho0 = body.material()->density();
     return parallelReduce(
         body.size(), Extremes{},
         [&](std::size_t begin, std::size_t end) {
@@ -110,19 +107,19 @@ void Health<Dim>::check(const Clock& clock) {
         if (!moves(*body)) continue;
         const Extremes e = extremes(*body);
         if (!e.finite) fail(*body, clock);
-        const auto* fluid = dynamic_cast<const WeaklyCompressibleFluid*>(body->material.get());
-        if (!fluid) continue;
+        if (!body->isFluid()) continue;
+        const Fluid& fluid = *body->fluid().material;
         const double speed = std::sqrt(e.speed2);
-        if (speed > speed_limit * fluid->soundSpeed() && !warned_speed_[body->name]) {
+        if (speed > speed_limit * fluid.soundSpeed() && !warned_speed_[body->name]) {
             warned_speed_[body->name] = true;
             log::warning(fmt::format(
                 "time {}: {} moves at {:.3g}{}, more than a tenth of its sound speed {:.3g}{}; "
                 "raise sound_speed",
                 world_.quantityText(clock.time, unit::time), body->name, speed,
-                world_.units.suffix(unit::velocity), fluid->soundSpeed(),
+                world_.units.suffix(unit::velocity), fluid.soundSpeed(),
                 world_.units.suffix(unit::velocity)));
         }
-        const double rho0 = fluid->density();
+        const double rho0 = fluid.density();
         if (e.density > density_limit * rho0 && !warned_density_[body->name]) {
             warned_density_[body->name] = true;
             log::warning(fmt::format(
@@ -169,7 +166,7 @@ void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const 
                         : fmt::format("{} of {} particles", ids.size(), body.size()),
         body.name, lastPlace(body, ids), writer == last_writer_.end() ? "the step" : writer->second,
         world_.quantityText(clock.time, unit::time),
-        body.kind == BodyKind::fluid ? " or a higher sound_speed" : ""));
+        body.isFluid() ? " or a higher sound_speed" : ""));
 }
 
 template class Health<2>;

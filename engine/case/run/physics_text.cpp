@@ -21,7 +21,7 @@ void dropObservers(input::Node& resolved, const Case& model) {
         input::Node* map = resolved.find(block);
         if (!map) continue;
         for (const Body& body : model.bodies)
-            if (body.kind == BodyKind::observer) drop(*map, body.name);
+            if (body.role == Role::observer) drop(*map, body.name);
         if (map->entries.empty()) drop(resolved, block);
     }
 }

@@ -160,7 +160,7 @@ class Simulation {
         auto kept = restartFields(placed_.facts);
         std::vector<io::RestartBody<Dim>> bodies;
         for (const auto& body : world_->bodies) {
-            if (body->kind == BodyKind::observer) continue;
+            if (body->isObserver()) continue;
             io::RestartBody<Dim> entry{body.get(), {}};
             for (const std::string& name : kept[body->name]) {
                 // Initial values make their fields; a restart stands in for them.

@@ -15,11 +15,12 @@ struct ClampParameters {
 /// Holds an elastic body along the surface of a part: u = 0 there. Particles of whose cells the
 /// part covers more than a quarter are images: they mirror the motion of the others, u_g = sum_k
 /// c_gk u_k, without mass of their own, and hand the forces that they feel on to them, f_k += sum_g
-/// c_gk f_g. Each particle is strained as far as its cell lies outside of the part (Body::shares),
-/// so that the surface is met wherever it runs through the lattice. The motion is that of this
-/// energy, without loss. constraint.fix, where the particles of the part stand still and share
-/// stress and strain with the others, holds the body 0.6 to 0.8 spacings behind that surface
-/// instead. Between the halves of the step; at the start, it gives the images their velocity.
+/// c_gk f_g. Each particle is strained as far as its cell lies outside of the part
+/// (ElasticRole::shares), so that the surface is met wherever it runs through the lattice. The
+/// motion is that of this energy, without loss. constraint.fix, where the particles of the part
+/// stand still and share stress and strain with the others, holds the body 0.6 to 0.8 spacings
+/// behind that surface instead. Between the halves of the step; at the start, it gives the images
+/// their velocity.
 template <int Dim>
 class Clamp final : public Method, public Support<Dim> {
  public:

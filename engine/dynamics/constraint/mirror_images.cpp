@@ -35,7 +35,7 @@ class Surroundings {
     template <class Function>
     void forEach(Index i, Function&& f) const {
         forAll(i, [&](Index j) {
-            if (!body_.isImage(j)) f(j);
+            if (!body_.elastic().isImage(j)) f(j);
         });
     }
     /// Of those around particle i, images included, the one with the largest share, i itself or
@@ -43,7 +43,7 @@ class Surroundings {
     Index mostMaterial(Index i) const {
         Index best = i;
         forAll(i, [&](Index j) {
-            const double more = body_.share(j) - body_.share(best);
+            const double more = body_.elastic().share(j) - body_.elastic().share(best);
             if (more > 0 || (more == 0 && best != i && j < best)) best = j;
         });
         return best;
@@ -138,7 +138,7 @@ std::vector<ImageLink> mirrorImages(const Part<Dim>& part, const std::vector<Ind
         Vec<Dim> point = start[image];
         Index next = around.nearest(image, point);
         if (next == image) next = around.nearest(around.mostMaterial(image), point);
-        if (body.isImage(next)) continue;
+        if (body.elastic().isImage(next)) continue;
         // Links, if the point lies inside of the body: within half a diagonal of the lattice.
         const auto follow = [&](double factor) {
             const double reach = std::sqrt(1.01 * Dim) * half;

@@ -139,7 +139,7 @@ void declarePrescribedMotion(input::Registry& registry) {
         registry, "constraint.prescribed_motion",
         []<int Dim>(const P& p, Context<Dim>& context) -> std::unique_ptr<PrescribedMotion<Dim>> {
             const Part<Dim> part(context.world, p.part);
-            if (dynamic_cast<const ElasticSolid*>(part.body().material.get()))
+            if (part.body().isElastic())
                 return std::make_unique<PrescribedSolidMotion<Dim>>(context.world, part,
                                                                     p.displacement, p.directions);
             return std::make_unique<PrescribedWallMotion<Dim>>(context.world, part, p.displacement,

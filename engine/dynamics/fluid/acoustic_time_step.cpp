@@ -13,7 +13,7 @@ template <int Dim>
 AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
     : body_(&body),
       cfl_(cfl),
-      c0_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).soundSpeed()),
+      c0_(body.fluid().material->soundSpeed()),
       velocity_(body.particles.vector(fields::velocity)) {}
 
 template <int Dim>

@@ -16,7 +16,7 @@ AdvectionTimeStep<Dim>::AdvectionTimeStep(Body<Dim>& body, double reference_spee
       reference_speed_(reference_speed),
       cfl_(cfl),
       velocity_(body.particles.vector(fields::velocity)) {
-    const auto& fluid = dynamic_cast<const WeaklyCompressibleFluid&>(*body.material);
+    const Fluid& fluid = *body.fluid().material;
     nu_ = fluid.viscosity() / fluid.density();
 }
 

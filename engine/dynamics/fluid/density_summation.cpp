@@ -13,16 +13,15 @@ template <int Dim>
 DensitySummation<Dim>::DensitySummation(Context<Dim>& context, Body<Dim>& body, Surface surface)
     : body_(&body),
       surface_(surface),
-      rho0_(body.material->density()),
+      rho0_(body.fluid().material->density()),
       own_(body.kernel.value(0)),
       lattice_sum_(body.kernel.latticeSum()),
       density_(body.particles.scalar(fields::density)) {
     if (surface == Surface::confined)
         reference_ = &body.particles.scalar(fields::reference_density);
     for (Body<Dim>* other : body.sees) {
-        Relation<Dim>& relation = context.relations.relation(body, *other);
-        relation.list.keep_kernel_sum = true;
-        terms_.push_back({&relation, std::pow(other->spacing / body.spacing, Dim)});
+        terms_.push_back({&context.relations.flow(body, *other, {.kernel_sum = true}),
+                          std::pow(other->spacing / body.spacing, Dim)});
     }
 }
 

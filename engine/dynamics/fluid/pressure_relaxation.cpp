@@ -9,27 +9,17 @@
 #include "dynamics/fluid/pressure_relaxation.h"
 
 #include "core/parallel.h"
+#include "dynamics/fluid/terms/pressure.h"
 #include "dynamics/fluid/wall_pairs.h"
+#include "materials/fluid_laws.h"
 
 namespace sphinx::fluid {
-namespace {
-
-template <class F>
-void withRiemann(Riemann riemann, F&& f) {
-    switch (riemann) {
-        case Riemann::none: return f.template operator()<Riemann::none>();
-        case Riemann::dissipative: return f.template operator()<Riemann::dissipative>();
-        case Riemann::low_dissipation: return f.template operator()<Riemann::low_dissipation>();
-    }
-}
-
-}  // namespace
 
 template <int Dim>
 PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& body, Riemann riemann)
     : body_(&body),
       domain_(&context.world.domain),
-      fluid_(&dynamic_cast<const WeaklyCompressibleFluid&>(*body.material)),
+      fluid_(body.fluid().material.get()),
       riemann_(riemann),
       constants_{fluid_->density(), fluid_->soundSpeed()},
       // Weakly compressible: pressures stay below a tenth of rho0 c0^2 and speeds below one of c0;
@@ -37,6 +27,7 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& bo
       largest_force_(0.1 * constants_.rho0 * constants_.c0 * constants_.c0 *
                      std::pow(body.spacing, Dim - 1)),
       largest_rate_(0.1 * constants_.c0 / body.spacing),
+      around_(context, body, {.walls = {.distance = true}}),
       position_(body.particles.position()),
       velocity_(body.particles.vector(fields::velocity)),
       external_(body.particles.vector(fields::external_acceleration)),
@@ -46,15 +37,6 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& bo
       density_rate_(body.particles.scalar(fields::density_rate)),
       pressure_(body.particles.scalar(fields::pressure)) {
     context.loads.push_back(this);
-    for (Body<Dim>* other : body.sees) {
-        Relation<Dim>& relation = context.relations.relation(body, *other);
-        if (other == &body) {
-            self_ = &relation;
-        } else {
-            relation.list.keep_distance = true;
-            walls_.push_back({&relation, WallFields<Dim>(*other)});
-        }
-    }
 }
 
 template <int Dim>
@@ -96,22 +78,18 @@ void PressureRelaxation<Dim>::predict(double dt) {
             }
         });
     };
-    if (fluid_->equationOfState() == EquationOfState::linear) {
-        const double c2 = fluid_->soundSpeed() * fluid_->soundSpeed();
-        const double rho0 = fluid_->density();
-        all([=](double rho) { return c2 * (rho - rho0); });
-    } else {
-        all([this](double rho) { return fluid_->pressure(rho); });
-    }
+    // A copy of the law: for all that the compiler knows, its constants could change in the loop.
+    withLaw(*fluid_,
+            [&](const auto& law) { all([law](double rho) { return law.pressure(rho); }); });
 }
 
 template <int Dim>
 template <Riemann R>
 void PressureRelaxation<Dim>::momentum(double dt) {
-    const NeighborList<Dim>& self = self_->list;
+    const NeighborList<Dim>& self = around_.own();
     const PairState<Dim>* state = before_.data();
     // Along a periodic axis there is no hydrostatic pressure.
-    Vec<Dim> gravity = body_->gravity;
+    Vec<Dim> gravity = body_->fluid().gravity;
     for (int c = 0; c < Dim; ++c)
         if (domain_->periodic[c]) gravity[c] = 0;
     const Vec<Dim> weight = constants_.rho0 * gravity;
@@ -125,19 +103,15 @@ void PressureRelaxation<Dim>::momentum(double dt) {
                 const PairLanes<Dim> sj = gather(state, pair.index);
                 Lanes v_ij[Dim];
                 for (int c = 0; c < Dim; ++c) v_ij[c] = si.v[c] - sj.v[c];
-                // v_ij . e_ij W' > 0 where the particles close in
-                const Lanes approach = dotLanes<Dim>(v_ij, pair.gradient);
-                const Lanes p2 =
-                    si.p + sj.p + pressureJump<R>(constants_, approach * pair.inverse_dW);
+                const Lanes p2 = twicePressure<R, Dim>(constants_, pair, v_ij, lanes(si.p), sj.p);
                 const Lanes f = p2 * (si.V * sj.V);
                 for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
             });
             const Vec<Dim> v = velocity_[i];
             const Vec<Dim> g = external_[i];
-            const FluidLanes<Dim> fluid = oneFluid<Dim>(v, g, si.p, density_[i]);
-            for (const Wall& wall : walls_)
-                addWallPressure<R>(wall.fields, wall.relation->list, i, constants_, fluid, si.V,
-                                   unit, sum);
+            const FluidSide<Dim, Lanes> fluid = oneFluid<Dim>(v, g, si.p, density_[i]);
+            for (const auto& wall : around_.walls())
+                addWallPressure<R>(wall.fields, wall.list(), i, constants_, fluid, si.V, unit, sum);
             PairState<Dim>& next = after_[i];
             const double factor = -dt * unit / mass_[i];
             for (int c = 0; c < Dim; ++c) {
@@ -152,33 +126,40 @@ void PressureRelaxation<Dim>::momentum(double dt) {
 }
 
 template <int Dim>
-Vec<Dim> PressureRelaxation<Dim>::forceOn(const Body<Dim>& solid,
-                                          const NeighborList<Dim>& list) const {
-    Vec<Dim> force = Vec<Dim>::Zero();
+Load<Dim> PressureRelaxation<Dim>::loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                                          const Vec<Dim>& about) const {
+    const auto* wall = around_.wall(solid);
+    if (!wall) return {};
+    Load<Dim> load;
+    withRiemann(riemann_, [&]<Riemann R>() { load = loadOn<R>(*wall, list, about); });
+    return load;
+}
+
+template <int Dim>
+template <Riemann R>
+Load<Dim> PressureRelaxation<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall,
+                                          const NeighborList<Dim>& list,
+                                          const Vec<Dim>& about) const {
     const double unit = list.gradient_unit;
     const SumGrid grid(largest_force_ / unit);
-    for (const Wall& wall : walls_) {
-        if (wall.relation->to != &solid) continue;
-        withRiemann(riemann_, [&]<Riemann R>() {
-            force = parallelReduce(
-                body_->size(), force,
-                [&](std::size_t begin, std::size_t end) {
-                    Vec<Dim> part = Vec<Dim>::Zero();
-                    for (std::size_t i = begin; i < end; ++i) {
-                        if (list.ranges[i].count == 0) continue;
-                        ExactSums<Dim> sum(grid);
-                        const FluidLanes<Dim> fluid =
-                            oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i]);
-                        addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i],
-                                           unit, sum);
-                        for (int c = 0; c < Dim; ++c) part[c] += unit * sum[c].value();
-                    }
-                    return part;
-                },
-                [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
-        });
-    }
-    return force;
+    return parallelReduce(
+        body_->size(), Load<Dim>{},
+        [&](std::size_t begin, std::size_t end) {
+            Load<Dim> part;
+            for (std::size_t i = begin; i < end; ++i) {
+                if (list.ranges[i].count == 0) continue;
+                ExactSums<Dim> sum(grid);
+                const FluidSide<Dim, Lanes> fluid =
+                    oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i]);
+                addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], unit, sum);
+                Vec<Dim> force;
+                for (int c = 0; c < Dim; ++c) force[c] = unit * sum[c].value();
+                // Along the line of two particles: the place of either gives the moment.
+                part.add(position_[i] - about, force);
+            }
+            return part;
+        },
+        [](Load<Dim> a, const Load<Dim>& b) { return a += b; });
 }
 
 template <int Dim>
@@ -186,13 +167,12 @@ void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborLi
                                         Field<Vec<Dim>>& force) const {
     const double unit = list.gradient_unit;
     const SumGrid grid(largest_force_ / unit);
-    for (const Wall& wall : walls_) {
-        if (wall.relation->to != &solid) continue;
+    if (const auto* wall = around_.wall(solid)) {
         withRiemann(riemann_, [&]<Riemann R>() {
             parallelFor(solid.size(), [&](std::size_t j) {
                 if (list.ranges[j].count == 0) return;
                 ExactSums<Dim> sum(grid);
-                addFluidPressure<R>(wall.fields, list, j, constants_, before_.data(), external_,
+                addFluidPressure<R>(wall->fields, list, j, constants_, before_.data(), external_,
                                     density_, sum);
                 for (int c = 0; c < Dim; ++c) force[j][c] -= unit * sum[c].value();
             });
@@ -203,7 +183,7 @@ void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborLi
 template <int Dim>
 template <Riemann R>
 void PressureRelaxation<Dim>::continuity(double dt) {
-    const NeighborList<Dim>& self = self_->list;
+    const NeighborList<Dim>& self = around_.own();
     const PairState<Dim>* state = after_.data();
     const double half = 0.5 * dt;
     const double unit = self.gradient_unit;
@@ -216,14 +196,11 @@ void PressureRelaxation<Dim>::continuity(double dt) {
                 const PairLanes<Dim> sj = gather(state, pair.index);
                 Lanes v_ij[Dim];
                 for (int c = 0; c < Dim; ++c) v_ij[c] = si.v[c] - sj.v[c];
-                const Lanes approach = dotLanes<Dim>(v_ij, pair.gradient);
-                const Lanes jump = pair.dW * velocityJump<R>(constants_, si.p - sj.p);
-                sum.addProduct(approach - jump, sj.V);
+                sum.addProduct(closingRate<R, Dim>(constants_, pair, v_ij, si.p - sj.p), sj.V);
             });
             const Vec<Dim> v = velocity_[i];
-            // The ghost has the fluid's own pressure above the hydrostatic.
-            for (const Wall& wall : walls_)
-                addWallClosure<Dim>(wall.fields, wall.relation->list, i, v, unit, sum);
+            for (const auto& wall : around_.walls())
+                addWallClosure<Dim>(wall.fields, wall.list(), i, v, unit, sum);
             const double rate = density_[i] * (unit * sum.value());
             density_rate_[i] = rate;
             density_[i] += half * rate;

@@ -4,9 +4,9 @@
 
 #include "dynamics/declare.h"
 #include "dynamics/fluid/pair_state.h"
-#include "dynamics/fluid/riemann.h"
 #include "dynamics/fluid/solid_load.h"
-#include "dynamics/fluid/wall_fields.h"
+#include "dynamics/fluid/surroundings.h"
+#include "dynamics/fluid/terms/riemann.h"
 #include "materials/fluid.h"
 
 namespace sphinx::fluid {
@@ -42,7 +42,8 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
     Body<Dim>& fluid() const override { return *body_; }
     void rest() override { this->endLoad(); }
     void transfer(Archive& archive) override { this->transferLoad(archive); }
-    Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const override;
+    Load<Dim> loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                     const Vec<Dim>& about) const override;
     void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                    Field<Vec<Dim>>& force) const override;
 
@@ -50,11 +51,10 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
     void secondHalf(const Clock& clock);
 
  private:
-    struct Wall {
-        const Relation<Dim>* relation;
-        WallFields<Dim> fields;
-    };
     void predict(double dt);
+    template <Riemann R>
+    Load<Dim> loadOn(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
+                     const Vec<Dim>& about) const;
     template <Riemann R>
     void momentum(double dt);
     template <Riemann R>
@@ -62,13 +62,12 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
 
     Body<Dim>* body_;
     const Domain<Dim>* domain_;
-    const WeaklyCompressibleFluid* fluid_;
+    const Fluid* fluid_;
     Riemann riemann_;
     RiemannConstants constants_;
     double largest_force_;  // that sums over pairs may reach, and of the rate
     double largest_rate_;
-    const Relation<Dim>* self_ = nullptr;
-    std::vector<Wall> walls_;
+    Surroundings<Dim> around_;
 
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& velocity_;

@@ -4,6 +4,7 @@
 
 #include "bodies/body.h"
 #include "core/archive.h"
+#include "dynamics/load.h"
 #include "neighbors/neighbor_list.h"
 
 #include <limits>
@@ -27,9 +28,10 @@ class SolidLoad {
     double lastTime() const { return last_time_; }
     /// The window in which it acted is over.
     bool hasEnded() const { return has_ended_ != 0; }
-    /// Sum of the forces on the solid at the present state; zero when the method does not act on
-    /// it. `list`: the fluid's neighbors in the solid, with distances.
-    virtual Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const = 0;
+    /// Force on the solid at the present state and its moment about a point; zero when the method
+    /// does not act on it. `list`: the fluid's neighbors in the solid, with distances.
+    virtual Load<Dim> loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                             const Vec<Dim>& about) const = 0;
     /// Adds to `force` what each particle of the solid gets, exactly minus what the fluid has felt
     /// in its last sum. `list`: the solid's neighbors in the fluid that belong to the fluid's in
     /// the solid, with distances.

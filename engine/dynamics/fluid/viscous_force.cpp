@@ -9,82 +9,58 @@
 namespace sphinx::fluid {
 namespace {
 
-/// Adds the terms of eight pairs without factors, in the list's gradient unit, with g = e W',
-/// W' = -abs(W') and V = V_i V_j:
-///   laplacian   v_ij W'/r V
-///   central     (v_ij . e) e W'/r V = (v_ij . g) g / (W' r) V
-template <ViscousForm F, int Dim>
-inline void addPairs(const Pairs<Dim>& pair, const Lanes v[Dim], Lanes r, Lanes V,
-                     ExactSums<Dim>& sum) {
-    const Lanes V_over_r = V / maxLanes(r, lanes(1e-30));
-    if constexpr (F == ViscousForm::laplacian) {
-        const Lanes f = -pair.dW * V_over_r;
-        for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, v[c]);
-    } else {
-        Lanes along = {};
-        for (int c = 0; c < Dim; ++c) along += v[c] * pair.gradient[c];
-        const Lanes f = -along * pair.inverse_dW * V_over_r;
-        for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
-    }
+template <class F>
+decltype(auto) withForm(ViscousForm form, F&& f) {
+    if (form == ViscousForm::laplacian) return f.template operator()<ViscousForm::laplacian>();
+    return f.template operator()<ViscousForm::central>();
 }
 
-/// By how much the velocity difference of place k grows where it is continued into the wall: from
-/// the fluid particle's distance to the surface to that plus the depth of the wall particle.
-/// `nearest`: least distance of a fluid particle from the wall that is told apart.
-template <int Dim>
-inline double continuation(const Pairs<Dim>& pair, int k, double distance, const Vec<Dim>& n,
-                           double depth, double nearest) {
-    double apart = 0;  // of the two particles, across the wall's surface
-    for (int c = 0; c < Dim; ++c) apart -= n[c] * pair.gradient[c][k];
-    apart = std::abs(apart) * pair.inverse_dW[k] * distance;
-    return 1 + depth / std::max(apart - depth, nearest);
-}
-
-/// The same over the wall particles near the fluid particle i, with the velocity continued into
-/// the wall; in the given gradient unit.
-template <ViscousForm F, int Dim, class Wall>
-inline void addWall(const Wall& wall, const NeighborList<Dim>& list, std::size_t i,
-                    const Vec<Dim>& v, double V, double unit, double nearest, ExactSums<Dim>& sum) {
-    V *= list.gradient_unit / unit;
+/// term(pair, v_ij, r, V_j) for the wall particles j near a fluid particle i of velocity v: with
+/// the velocity difference continued into the wall.
+template <int Dim, class Term>
+inline void forEachWallPair(const WallFields<Dim>& wall, const NeighborList<Dim>& list,
+                            std::size_t i, const Vec<Dim>& v, double nearest, Term&& term) {
     Distances<Dim> distances(list, i);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         const Lanes r = distances.next();
-        double between[Dim][lane_count];
-        for (int k = 0; k < lane_count; ++k) {
-            const Index j = pair.index[k];
-            const Vec<Dim>& vw = (*wall.velocity)[j];
-            const Vec<Dim>& n = (*wall.normal)[j];
-            const double continued = continuation<Dim>(pair, k, r[k], n, (*wall.depth)[j], nearest);
-            for (int c = 0; c < Dim; ++c) between[c][k] = continued * (v[c] - vw[c]);
-        }
         Lanes v_ij[Dim];
-        for (int c = 0; c < Dim; ++c) v_ij[c] = loadLanes(between[c]);
-        addPairs<F, Dim>(pair, v_ij, r, V * gatherLanes(wall.volume->data(), pair.index), sum);
+        Lanes n[Dim];
+        gatherVectors<Dim>(wall.velocity->data(), pair.index, v_ij);
+        gatherVectors<Dim>(wall.normal->data(), pair.index, n);
+        const Lanes depth = gatherLanes(wall.depth->data(), pair.index);
+        const Lanes continued = continuation<Dim, Lanes>(pair, r, n, depth, nearest);
+        for (int c = 0; c < Dim; ++c) v_ij[c] = continued * (v[c] - v_ij[c]);
+        term(pair, v_ij, r, gatherLanes(wall.volume->data(), pair.index));
     });
 }
 
-/// The same for one wall particle j over the fluid particles near it.
-template <ViscousForm F, int Dim, class Wall>
-inline void addFluid(const Wall& wall, const NeighborList<Dim>& list, std::size_t j,
-                     const Field<Vec<Dim>>& velocity, const Field<double>& volume, double nearest,
-                     ExactSums<Dim>& sum) {
+/// The same for the fluid particles i near one wall particle j: term(pair, v_ji, r, V_i).
+template <int Dim, class Term>
+inline void forEachFluidPair(const WallFields<Dim>& wall, const NeighborList<Dim>& list,
+                             std::size_t j, const Field<Vec<Dim>>& velocity,
+                             const Field<double>& volume, double nearest, Term&& term) {
     Distances<Dim> distances(list, j);
-    const double V = (*wall.volume)[j];
     const Vec<Dim> vw = (*wall.velocity)[j];
-    const Vec<Dim> n = (*wall.normal)[j];
-    const double depth = (*wall.depth)[j];
+    Lanes n[Dim];
+    for (int c = 0; c < Dim; ++c) n[c] = lanes((*wall.normal)[j][c]);
+    const Lanes depth = lanes((*wall.depth)[j]);
     forEachPair(list, j, [&](const Pairs<Dim>& pair) {
         const Lanes r = distances.next();
-        double between[Dim][lane_count];
-        for (int k = 0; k < lane_count; ++k) {
-            const Vec<Dim>& v = velocity[pair.index[k]];
-            const double continued = continuation<Dim>(pair, k, r[k], n, depth, nearest);
-            for (int c = 0; c < Dim; ++c) between[c][k] = continued * (vw[c] - v[c]);
-        }
+        const Lanes continued = continuation<Dim, Lanes>(pair, r, n, depth, nearest);
         Lanes v_ji[Dim];
-        for (int c = 0; c < Dim; ++c) v_ji[c] = loadLanes(between[c]);
-        addPairs<F, Dim>(pair, v_ji, r, V * gatherLanes(volume.data(), pair.index), sum);
+        gatherVectors<Dim>(velocity.data(), pair.index, v_ji);
+        for (int c = 0; c < Dim; ++c) v_ji[c] = continued * (vw[c] - v_ji[c]);
+        term(pair, v_ji, r, gatherLanes(volume.data(), pair.index));
     });
+}
+
+/// Adds the term of eight pairs, in the list's gradient unit.
+template <ViscousForm F, int Dim>
+inline void addPairs(const Pairs<Dim>& pair, const Lanes (&v_ij)[Dim], Lanes r, Lanes V,
+                     ExactSums<Dim>& sum) {
+    const Lanes f = viscousFactor<F, Dim, Lanes>(pair, v_ij, r, V);
+    const auto& direction = viscousDirection<F, Dim, Lanes>(pair, v_ij);
+    for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, direction[c]);
 }
 
 }  // namespace
@@ -93,130 +69,138 @@ template <int Dim>
 ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip slip,
                                 ViscousForm form)
     : body_(&body),
-      mu_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).viscosity()),
       nearest_(0.25 * body.spacing),
       form_(form),
+      // What makes the sums forces.
+      factor_(2 * body.fluid().material->viscosity() *
+              (form == ViscousForm::laplacian ? body.kernel.laplacianFactor() : Dim + 2)),
       // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a
       // few 1/spacing^2.
-      largest_(dynamic_cast<const WeaklyCompressibleFluid&>(*body.material).soundSpeed() *
-               std::pow(body.spacing, Dim - 2)),
+      largest_(body.fluid().material->soundSpeed() * std::pow(body.spacing, Dim - 2)),
+      around_(context, body,
+              {.own = {.distance = true},
+               .walls = {.distance = true},
+               .sees_walls = slip == WallSlip::no_slip}),
       velocity_(body.particles.vector(fields::velocity)),
       external_(body.particles.vector(fields::external_acceleration)),
       mass_(body.particles.scalar(fields::mass)),
       volume_(body.particles.scalar(fields::volume)) {
     context.loads.push_back(this);
-    for (Body<Dim>* other : body.sees) {
-        if (other != &body && slip == WallSlip::free_slip) continue;
-        Relation<Dim>& relation = context.relations.relation(body, *other);
-        relation.list.keep_distance = true;
-        if (other == &body) {
-            self_ = &relation;
-        } else {
-            const WallFields<Dim> seen(*other);
-            walls_.push_back({&relation, seen.velocity, seen.normal,
-                              &other->particles.scalar(fields::depth), seen.volume});
-        }
-    }
-}
-
-template <int Dim>
-template <ViscousForm F>
-double ViscousForce<Dim>::factor() const {
-    if constexpr (F == ViscousForm::laplacian) return 2 * mu_ * body_->kernel.laplacianFactor();
-    return 2 * (Dim + 2) * mu_;
 }
 
 template <int Dim>
 void ViscousForce<Dim>::run(const Clock& clock) {
     this->actedAt(clock.time);
-    if (form_ == ViscousForm::laplacian)
-        accelerate<ViscousForm::laplacian>();
-    else
-        accelerate<ViscousForm::central>();
+    withForm(form_, [&]<ViscousForm F>() { accelerate<F>(); });
 }
 
 template <int Dim>
 template <ViscousForm F>
 void ViscousForce<Dim>::accelerate() {
-    const double unit = self_->list.gradient_unit;
+    const NeighborList<Dim>& own = around_.own();
+    const double unit = own.gradient_unit;
     const SumGrid grid(largest_ / unit);
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vec<Dim> v = velocity_[i];
+            const double V = volume_[i];
             ExactSums<Dim> sum(grid);
-            Distances<Dim> distances(self_->list, i);
-            forEachPair(self_->list, i, [&](const Pairs<Dim>& pair) {
-                const Lanes r = distances.next();
-                double between[Dim][lane_count];
-                for (int k = 0; k < lane_count; ++k) {
-                    const Vec<Dim>& vj = velocity_[pair.index[k]];
-                    for (int c = 0; c < Dim; ++c) between[c][k] = v[c] - vj[c];
-                }
+            Distances<Dim> distances(own, i);
+            forEachPair(own, i, [&](const Pairs<Dim>& pair) {
                 Lanes v_ij[Dim];
-                for (int c = 0; c < Dim; ++c) v_ij[c] = loadLanes(between[c]);
-                addPairs<F, Dim>(pair, v_ij, r,
-                                 volume_[i] * gatherLanes(volume_.data(), pair.index), sum);
+                gatherVectors<Dim>(velocity_.data(), pair.index, v_ij);
+                for (int c = 0; c < Dim; ++c) v_ij[c] = v[c] - v_ij[c];
+                addPairs<F, Dim>(pair, v_ij, distances.next(),
+                                 V * gatherLanes(volume_.data(), pair.index), sum);
             });
-            for (const Wall& wall : walls_)
-                addWall<F, Dim>(wall, wall.relation->list, i, v, volume_[i], unit, nearest_, sum);
-            const double scale = unit * factor<F>() / mass_[i];
+            for (const auto& wall : around_.walls()) {
+                const double in_unit = V * (wall.list().gradient_unit / unit);
+                forEachWallPair<Dim>(
+                    wall.fields, wall.list(), i, v, nearest_,
+                    [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
+                        addPairs<F, Dim>(pair, v_ij, r, in_unit * V_j, sum);
+                    });
+            }
+            const double scale = unit * factor_ / mass_[i];
             for (int c = 0; c < Dim; ++c) external_[i][c] += scale * sum[c].value();
         }
     });
 }
 
 template <int Dim>
-Vec<Dim> ViscousForce<Dim>::forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const {
-    for (const Wall& wall : walls_)
-        if (wall.relation->to == &solid)
-            return form_ == ViscousForm::laplacian ? forceOn<ViscousForm::laplacian>(wall, list)
-                                                   : forceOn<ViscousForm::central>(wall, list);
-    return Vec<Dim>::Zero();
+Load<Dim> ViscousForce<Dim>::loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                                    const Vec<Dim>& about) const {
+    const auto* wall = around_.wall(solid);
+    if (!wall) return {};
+    return withForm(form_, [&]<ViscousForm F>() { return loadOn<F>(*wall, list, about); });
 }
 
 template <int Dim>
 template <ViscousForm F>
-Vec<Dim> ViscousForce<Dim>::forceOn(const Wall& wall, const NeighborList<Dim>& list) const {
+Load<Dim> ViscousForce<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall,
+                                    const NeighborList<Dim>& list, const Vec<Dim>& about) const {
+    using Vector = VecOf<Dim, Wide>;
+    constexpr int moments = Dim == 2 ? 1 : 3;
     const double unit = list.gradient_unit;
     const SumGrid grid(largest_ / unit);
+    const SumGrid moment_grid(largest_ * list.cutoff / unit);
+    const auto& position = body_->particles.position();
     return parallelReduce(
-        body_->size(), Vec<Dim>(Vec<Dim>::Zero()),
+        body_->size(), Load<Dim>{},
         [&](std::size_t begin, std::size_t end) {
-            Vec<Dim> part = Vec<Dim>::Zero();
+            Load<Dim> part;
             for (std::size_t i = begin; i < end; ++i) {
                 if (list.ranges[i].count == 0) continue;
                 ExactSums<Dim> sum(grid);
-                addWall<F, Dim>(wall, list, i, velocity_[i], volume_[i], unit, nearest_, sum);
-                for (int c = 0; c < Dim; ++c) part[c] -= unit * factor<F>() * sum[c].value();
+                // The forces act at the wall's particles, r_ij away: -sum_j r_ij x f_ij.
+                ExactSums<moments> lever(moment_grid);
+                forEachWallPair<Dim>(
+                    wall.fields, list, i, velocity_[i], nearest_,
+                    [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
+                        const Lanes f =
+                            viscousFactor<F, Dim, Lanes>(pair, v_ij, r, volume_[i] * V_j);
+                        const auto& direction = viscousDirection<F, Dim, Lanes>(pair, v_ij);
+                        Vector d, e;
+                        for (int c = 0; c < Dim; ++c) {
+                            sum[c].addProduct(f, direction[c]);
+                            d[c] = direction[c];
+                            e[c] = -pair.gradient[c] * pair.inverse_dW;
+                        }
+                        const auto turned = momentOf<Dim, Wide>(e, d);
+                        for (int c = 0; c < moments; ++c) lever[c].addProduct(f * r, turned[c].at);
+                    });
+                const double scale = -unit * factor_;
+                Vec<Dim> force;
+                for (int c = 0; c < Dim; ++c) force[c] = scale * sum[c].value();
+                part.add(position[i] - about, force);
+                for (int c = 0; c < moments; ++c) part.moment[c] -= scale * lever[c].value();
             }
             return part;
         },
-        [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
+        [](Load<Dim> a, const Load<Dim>& b) { return a += b; });
 }
 
 template <int Dim>
 void ViscousForce<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                                   Field<Vec<Dim>>& force) const {
-    for (const Wall& wall : walls_) {
-        if (wall.relation->to != &solid) continue;
-        if (form_ == ViscousForm::laplacian)
-            addForces<ViscousForm::laplacian>(wall, list, force);
-        else
-            addForces<ViscousForm::central>(wall, list, force);
-    }
+    if (const auto* wall = around_.wall(solid))
+        withForm(form_, [&]<ViscousForm F>() { addForces<F>(*wall, list, force); });
 }
 
 template <int Dim>
 template <ViscousForm F>
-void ViscousForce<Dim>::addForces(const Wall& wall, const NeighborList<Dim>& list,
-                                  Field<Vec<Dim>>& force) const {
+void ViscousForce<Dim>::addForces(const typename Surroundings<Dim>::Wall& wall,
+                                  const NeighborList<Dim>& list, Field<Vec<Dim>>& force) const {
     const double unit = list.gradient_unit;
     const SumGrid grid(largest_ / unit);
     parallelFor(list.ranges.size(), [&](std::size_t j) {
         if (list.ranges[j].count == 0) return;
         ExactSums<Dim> sum(grid);
-        addFluid<F, Dim>(wall, list, j, velocity_, volume_, nearest_, sum);
-        for (int c = 0; c < Dim; ++c) force[j][c] += unit * factor<F>() * sum[c].value();
+        const double V = (*wall.fields.volume)[j];
+        forEachFluidPair<Dim>(wall.fields, list, j, velocity_, volume_, nearest_,
+                              [&](const Pairs<Dim>& pair, const Lanes(&v_ji)[Dim], Lanes r,
+                                  Lanes V_i) { addPairs<F, Dim>(pair, v_ji, r, V * V_i, sum); });
+        for (int c = 0; c < Dim; ++c) force[j][c] += unit * factor_ * sum[c].value();
     });
 }
 

@@ -4,14 +4,13 @@
 
 #include "dynamics/declare.h"
 #include "dynamics/fluid/solid_load.h"
-#include "dynamics/fluid/wall_fields.h"
+#include "dynamics/fluid/surroundings.h"
+#include "dynamics/fluid/terms/viscosity.h"
 #include "materials/fluid.h"
 
 namespace sphinx::fluid {
 
 enum class WallSlip { no_slip, free_slip };
-
-enum class ViscousForm { laplacian, central };
 
 struct ViscousForceParameters {
     input::Name body;
@@ -53,35 +52,27 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
     Body<Dim>& fluid() const override { return *body_; }
     void rest() override { this->endLoad(); }
     void transfer(Archive& archive) override { this->transferLoad(archive); }
-    Vec<Dim> forceOn(const Body<Dim>& solid, const NeighborList<Dim>& list) const override;
+    Load<Dim> loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                     const Vec<Dim>& about) const override;
     void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                    Field<Vec<Dim>>& force) const override;
 
  private:
-    struct Wall {
-        const Relation<Dim>* relation;
-        const Field<Vec<Dim>>* velocity;
-        const Field<Vec<Dim>>* normal;
-        const Field<double>* depth;
-        const Field<double>* volume;
-    };
     template <ViscousForm F>
     void accelerate();
     template <ViscousForm F>
-    Vec<Dim> forceOn(const Wall& wall, const NeighborList<Dim>& list) const;
+    Load<Dim> loadOn(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
+                     const Vec<Dim>& about) const;
     template <ViscousForm F>
-    void addForces(const Wall& wall, const NeighborList<Dim>& list, Field<Vec<Dim>>& force) const;
-    /// What makes the sums forces.
-    template <ViscousForm F>
-    double factor() const;
+    void addForces(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
+                   Field<Vec<Dim>>& force) const;
 
     Body<Dim>* body_;
-    double mu_;
     double nearest_;  // least distance of a fluid particle from a wall that is told apart
     ViscousForm form_;
+    double factor_;   // dynamic viscosity times 2 L or 2 (d + 2)
     double largest_;  // that sums over pairs may reach
-    const Relation<Dim>* self_ = nullptr;
-    std::vector<Wall> walls_;
+    Surroundings<Dim> around_;
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& external_;
     Field<double>& mass_;

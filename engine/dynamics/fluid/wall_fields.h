@@ -3,7 +3,6 @@
 #pragma once
 
 #include "bodies/body.h"
-#include "materials/elastic_solid.h"
 
 namespace sphinx::fluid {
 
@@ -17,14 +16,16 @@ struct WallFields {
     const Field<Vec<Dim>>* velocity;
     const Field<Vec<Dim>>* acceleration;  ///< null: not seen
     const Field<Vec<Dim>>* normal;
+    const Field<double>* depth;
     const Field<double>* volume;
 
     explicit WallFields(Body<Dim>& solid) {
-        const bool elastic = dynamic_cast<const ElasticSolid*>(solid.material.get());
+        const bool elastic = solid.isElastic();
         ParticleSet<Dim>& p = solid.particles;
         velocity = &p.vector(elastic ? fields::average_velocity : fields::velocity);
         acceleration = elastic ? nullptr : &p.vector(fields::acceleration);
         normal = &p.vector(fields::normal);
+        depth = &p.scalar(fields::depth);
         volume = &p.scalar(fields::volume);
     }
 };

@@ -18,7 +18,7 @@ class Gravity final : public Method {
  public:
     Gravity(Body<Dim>& body, const Vec<Dim>& acceleration);
 
-    void announce() override { body_->gravity += acceleration_; }
+    void announce() override { body_->addGravity(acceleration_); }
     void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 

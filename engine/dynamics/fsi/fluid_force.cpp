@@ -11,10 +11,8 @@ FluidForce<Dim>::FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& 
       solid_(&solid),
       fluid_(&fluid),
       kind_(kind),
-      relation_(&context.relations.relation(solid, fluid)),
-      force_(force) {
-    relation_->list.keep_distance = true;
-}
+      relation_(&context.relations.flow(solid, fluid, {.distance = true})),
+      force_(force) {}
 
 template <int Dim>
 void FluidForce<Dim>::run(const Clock&) {

@@ -27,7 +27,7 @@ class FluidForce : public Method {
     Body<Dim>* solid_;
     Body<Dim>* fluid_;
     fluid::LoadKind kind_;
-    Relation<Dim>* relation_;  // of the solid to the fluid
+    const Relation<Dim>* relation_;  // of the solid to the fluid
     Field<Vec<Dim>>& force_;
 };
 

@@ -5,8 +5,6 @@
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
-#include "materials/elastic_solid.h"
-#include "materials/material.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +35,7 @@ Update<Dim>::Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies)
             return std::ranges::find(group.bodies, body) != group.bodies.end();
         };
         if (std::ranges::any_of(groups_, holdsBody)) continue;
-        if (dynamic_cast<const ElasticSolid*>(body->material.get()))
+        if (body->isElastic())
             groups_.push_back({pieceOf(*body), true});
         else
             groups_.push_back({{body}, false});
@@ -97,10 +95,10 @@ void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) {
     const World<Dim>& world = context_->world;
     const Domain<Dim>& domain = world.domain;
     // A wall goes where its motion is prescribed.
-    if (dynamic_cast<const Rigid*>(body.material.get())) return;
+    if (body.isWall()) return;
     auto& position = body.particles.position();
     Box<Dim> bounds = domain.bounds;
-    if (dynamic_cast<const ElasticSolid*>(body.material.get())) {
+    if (body.isElastic()) {
         // It may reach across a periodic side.
         for (int k = 0; k < Dim; ++k) {
             if (!domain.periodic[k]) continue;
@@ -127,7 +125,7 @@ void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) {
             body.name, place, time, world.placeText(domain.bounds.lower),
             world.placeText(domain.bounds.upper));
         // Lists of the reference configuration and parts of a solid know its particles by place.
-        if (body.kind != BodyKind::fluid) throw PhysicsError(message);
+        if (!body.isFluid()) throw PhysicsError(message);
         if (domain.lost == LostParticles::stop)
             throw PhysicsError(message + " (lost_particles: remove would go on without it)");
         tellRemoved(message);

@@ -11,7 +11,7 @@
 #include "core/parallel.h"
 #include "dynamics/group.h"
 #include "dynamics/solid/fibres.h"
-#include "materials/elastic.h"
+#include "materials/elastic_laws.h"
 #include "materials/strain.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Largest {
 template <int Dim>
 AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
     : body_(&body),
-      solid_(&dynamic_cast<const ElasticSolid&>(*body.material)),
+      solid_(body.elastic().material.get()),
       cfl_(cfl),
       velocity_(body.particles.vector(fields::velocity)),
       acceleration_(body.particles.vector(fields::acceleration)),
@@ -43,6 +43,7 @@ double AcousticTimeStep<Dim>::estimate() {
     const Largest largest = withLaw(*solid_, [&](const auto& law) {
         const ParticleFibres<Dim> fibres(*body_, std::decay_t<decltype(law)>::uses_fibres);
         const std::size_t n = body_->size();
+        const std::vector<double>& shares = body_->elastic().shares;
         return parallelReduce(
             groupCount(n), Largest{},
             [&](std::size_t begin, std::size_t end) {
@@ -51,8 +52,8 @@ double AcousticTimeStep<Dim>::estimate() {
                     const Group group = groupOf(number, n);
                     const MatOf<Dim, Wide> C = rightCauchyGreen<Dim, Wide>(load(gradient_, group));
                     Wide own = law.template tangentModulus<Dim, Wide>(C, fibres[group]);
-                    if (!body_->shares.empty())  // what a clamp covers whole has no stress
-                        own = select(load(body_->shares.data(), group) > 0, own, 0);
+                    if (!shares.empty())  // what a clamp covers whole has no stress
+                        own = select(load(shares.data(), group) > 0, own, 0);
                     modulus = max(modulus, own);
                     speed2 = max(speed2, load(velocity_, group).squaredNorm());
                     acceleration2 = max(acceleration2, load(acceleration_, group).squaredNorm());

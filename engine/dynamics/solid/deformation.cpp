@@ -13,7 +13,7 @@
 #include "core/place_text.h"
 #include "dynamics/solid/fibres.h"
 #include "dynamics/solid/reference_loop.h"
-#include "materials/elastic.h"
+#include "materials/elastic_laws.h"
 #include "materials/strain.h"
 
 #include <fmt/format.h>
@@ -52,7 +52,7 @@ Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body, bool hourg
     : context_(&context),
       body_(&body),
       hourglass_control_(hourglass_control),
-      solid_(&dynamic_cast<const ElasticSolid&>(*body.material)),
+      solid_(body.elastic().material.get()),
       position_(body.particles.position()),
       initial_position_(body.particles.vector(fields::initial_position)),
       velocity_(body.particles.vector(fields::velocity)),
@@ -71,7 +71,7 @@ Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body, bool hourg
 
 template <int Dim>
 void Deformation<Dim>::announce() {
-    body_->hourglass_modulus = hourglass_control_ ? solid_->shearModulus() / Dim : 0;
+    body_->elastic().hourglass_modulus = hourglass_control_ ? solid_->shearModulus() / Dim : 0;
 }
 
 template <int Dim>
@@ -120,8 +120,9 @@ template <int Dim>
 template <class Law>
 void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) {
     const double half = 0.5 * clock.dt;
+    const ElasticRole<Dim>& role = body_->elastic();
     const double eta = damping ? solid_->damping() : 0;
-    const double control = body_->hourglass_modulus;
+    const double control = role.hourglass_modulus;
     const double rho0 = solid_->density();
     const ParticleFibres<Dim> fibres(*body_, Law::uses_fibres);
     FirstFailure inverted;
@@ -136,7 +137,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
         const unsigned sound = maskBits((J > 0) & law.template admissible<Dim, Wide>(C));
         for (std::size_t k = 0; sound != all_lanes && k < group.count; ++k) {
             const std::size_t i = group.first + k;
-            if (sound >> k & 1 || body_->share(i) == 0) continue;
+            if (sound >> k & 1 || role.share(i) == 0) continue;
             (J[k] > 0 ? beyond : inverted).at(i);
         }
         Matrix S = law.template stress<Dim, Wide>(C, fibres[group]);
@@ -149,8 +150,8 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
         Matrix T = P * load(correction_, group).transpose();
         T -= control * F;
         Wide density = rho0 / J;
-        if (!body_->shares.empty()) {
-            const Wide share = load(body_->shares.data(), group);
+        if (!role.shares.empty()) {
+            const Wide share = load(role.shares.data(), group);
             const LaneMask material = share != 0;
             for (Wide& t : T.reshaped()) t = select(material, share * t, 0);
             density = select(material, density, load(density_, group));
@@ -205,7 +206,8 @@ VecOf<Dim, Wide> Deformation<Dim>::stressDivergence(const Group& group) const {
     for (const Neighbors& n : neighbors_) {
         const auto& list = n.relation->list;
         sum += productSum<Dim>(list, group, T, *n.stress);
-        const double control = body_->hourglass_modulus + n.relation->to->hourglass_modulus;
+        const double control =
+            body_->elastic().hourglass_modulus + n.relation->to->elastic().hourglass_modulus;
         if (control > 0) sum += control * weightedSum<Dim>(list, group, r, *n.position);
     }
     return sum;

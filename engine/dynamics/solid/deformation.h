@@ -22,8 +22,8 @@ class Deformation {
     /// r_ij - (F_i + F_j) R_ij), and comes from an energy that no rotation changes. c is what the
     /// bonds' own deformation gradients F_i + (r_ij - F_i R_ij) (x) R_ij/R_ij^2 would give to
     /// second order, the shear part of the acoustic tensor alone: no parameter. Where a clamp
-    /// covers a part of a particle, all of its energy counts by its share s_i (Body::shares).
-    /// For initialize() alone it does not matter.
+    /// covers a part of a particle, all of its energy counts by its share s_i
+    /// (ElasticRole::shares). For initialize() alone it does not matter.
     Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
 
     Body<Dim>& body() const { return *body_; }

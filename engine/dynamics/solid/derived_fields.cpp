@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 #include "dynamics/solid/fibres.h"
-#include "materials/elastic.h"
+#include "materials/elastic_laws.h"
 #include "materials/strain.h"
 
 #include <Eigen/LU>
@@ -63,7 +63,7 @@ void derive(Body<Dim>& body, const FieldInfo& field) {
             n, [&](std::size_t i) { E[i] = greenStrain<Dim>(rightCauchyGreen<Dim>(gradient[i])); });
         return;
     }
-    withLaw(dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
+    withLaw(*body.elastic().material, [&](const auto& law) {
         const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
         const auto stress = [&](std::size_t i) -> Mat<Dim> {
             return law.template stress<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);

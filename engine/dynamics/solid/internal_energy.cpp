@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 #include "dynamics/solid/fibres.h"
-#include "materials/elastic.h"
+#include "materials/elastic_laws.h"
 #include "materials/strain.h"
 
 namespace sphinx::solid {
@@ -14,7 +14,7 @@ namespace {
 template <int Dim>
 double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& domain,
                     std::size_t i, const Mat<Dim>& F) {
-    const double share = relation.from->share(i);
+    const double share = relation.from->elastic().share(i);
     ParticleSet<Dim>& from = relation.from->particles;
     ParticleSet<Dim>& to = relation.to->particles;
     const auto& from_start = from.vector(fields::initial_position);
@@ -22,7 +22,7 @@ double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& d
     double sum = 0;
     relation.list.forEach(i, [&](Index j, double mean_weight) {
         // The list has the mean share of both.
-        const double weight = 2 * share / (share + relation.to->share(j)) * mean_weight;
+        const double weight = 2 * share / (share + relation.to->elastic().share(j)) * mean_weight;
         const Vec<Dim> R = domain.difference(from_start[i], to_start[j]);
         const Vec<Dim> r = domain.difference(from.position()[i], to.position()[j]);
         sum += weight * (r - F * R).squaredNorm();
@@ -35,18 +35,18 @@ double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& d
 template <int Dim>
 double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
     auto& body = const_cast<Body<Dim>&>(constant);  // fields are asked for, not changed
+    const ElasticRole<Dim>& role = body.elastic();
     const auto& gradient = body.particles.matrix(fields::deformation_gradient);
     const auto& volume = body.particles.scalar(fields::volume);
-    const double elastic =
-        withLaw(dynamic_cast<const ElasticSolid&>(*body.material), [&](const auto& law) {
-            const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
-            return parallelSum(body.size(), [&](std::size_t i) {
-                if (body.share(i) == 0) return 0.0;
-                return body.share(i) * volume[i] *
-                       law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
-            });
+    const double elastic = withLaw(*role.material, [&](const auto& law) {
+        const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
+        return parallelSum(body.size(), [&](std::size_t i) {
+            if (role.share(i) == 0) return 0.0;
+            return role.share(i) * volume[i] *
+                   law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
         });
-    if (body.hourglass_modulus == 0) return elastic;
+    });
+    if (role.hourglass_modulus == 0) return elastic;
     std::vector<const ReferenceRelation<Dim>*> sides;
     for (Body<Dim>* other : body.piece()) {
         ReferenceRelation<Dim>& relation = relations.reference(body, *other);
@@ -55,10 +55,10 @@ double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
     }
     const Domain<Dim>& domain = relations.domain();
     const double control = parallelSum(body.size(), [&](std::size_t i) {
-        if (body.share(i) == 0) return 0.0;
+        if (role.share(i) == 0) return 0.0;
         double sum = 0;
         for (const auto* side : sides) sum += unseenMotion(*side, domain, i, gradient[i]);
-        return 0.5 * body.hourglass_modulus * volume[i] * sum;
+        return 0.5 * role.hourglass_modulus * volume[i] * sum;
     });
     return elastic + control;
 }

@@ -88,7 +88,7 @@ BodyFrames<Dim> defaultFrames(const Body<Dim>& body) {
         if (body.particles.find(field.name)) frames.fields.emplace_back(field.name);
     };
     add(fields::velocity);
-    if (body.kind == BodyKind::fluid) {
+    if (body.isFluid()) {
         add(fields::density);
         add(fields::pressure);
     } else {
@@ -108,7 +108,7 @@ std::vector<BodyFrames<Dim>> selectFrames(const BodySelection& selection, const 
     std::vector<BodyFrames<Dim>> frames;
     if (selection.empty()) {
         for (const auto& body : world.bodies)
-            if (body->kind != BodyKind::observer) frames.push_back(defaultFrames(*body));
+            if (!body->isObserver()) frames.push_back(defaultFrames(*body));
         return frames;
     }
     for (const SelectedBody& one : selection) {

@@ -109,7 +109,7 @@ TEST_CASE("A case becomes plain data in case units") {
     CHECK(c.domain.upper->as<2>() == Vec<2>(450, 350));
 
     const model::Body& water = *c.findBody("water");
-    CHECK(water.kind == BodyKind::fluid);
+    CHECK(water.role == Role::fluid);
     CHECK(water.spacing(c.resolution) == 5);
     CHECK((*water.initial.velocity)[0](Vec<2>(50, 0), 0) == 2 * std::sin(0.5));
     CHECK((*water.initial.velocity)[1].constant());

@@ -49,7 +49,8 @@ struct Clamped {
     template <class Velocity>
     void setVelocity(Velocity&& velocity) {
         for (std::size_t i = 0; i < body.size(); ++i)
-            vectors(fields::velocity)[i] = body.isImage(i) ? Vec<Dim>::Zero().eval() : velocity(i);
+            vectors(fields::velocity)[i] =
+                body.elastic().isImage(i) ? Vec<Dim>::Zero().eval() : velocity(i);
         clamp.run({.is_start = true});
     }
     /// Displaces likewise; F from there, all at rest. Returns the energy.
@@ -79,7 +80,7 @@ TEMPLATE_TEST_CASE_SIG("a clamped body deforms evenly up to the surface of its c
     Mat<Dim> rate = Mat<Dim>::Zero();
     rate.col(0) = stretch;
     for (std::size_t i = 0; i < block.body.size(); ++i) {
-        if (block.body.share(i) == 0) continue;
+        if (block.body.elastic().share(i) == 0) continue;
         const Mat<Dim>& found = block.body.particles.matrix(fields::deformation_rate)[i];
         CHECK((found - rate).cwiseAbs().maxCoeff() < 1e-11);
     }
@@ -102,7 +103,7 @@ TEMPLATE_TEST_CASE_SIG("forces in a clamped body are those of its energy", "", (
     double power = 0;
     Vec<Dim> total = Vec<Dim>::Zero();
     for (std::size_t i = 0; i < body.size(); ++i) {
-        if (body.isImage(i)) continue;
+        if (body.elastic().isImage(i)) continue;
         const Vec<Dim> force =
             body.particles.scalar(fields::mass)[i] * block.vectors(fields::acceleration)[i];
         power += force.dot(du[i]);
@@ -132,7 +133,7 @@ TEST_CASE("what a clamp covers whole has no say in the time step") {
     const double step = time_step.estimate();
     auto& gradient = block.body.particles.matrix(fields::deformation_gradient);
     for (std::size_t i = 0; i < block.body.size(); ++i)
-        if (block.body.share(i) == 0) gradient[i] = Vec<2>(10, 1).asDiagonal();
+        if (block.body.elastic().share(i) == 0) gradient[i] = Vec<2>(10, 1).asDiagonal();
     CHECK(time_step.estimate() == step);
     gradient[block.body.size() - 1] = Vec<2>(10, 1).asDiagonal();
     CHECK(time_step.estimate() < 0.5 * step);
@@ -150,7 +151,7 @@ TEST_CASE("images stand behind the surface of the clamp, in its corners behind b
     const Part<2> frame(scene.world, {"block.frame", {}});
     constraint::Clamp<2> clamp(scene.context, frame);
     clamp.announce();
-    body.findShares();
+    findShares(body);
     auto& relation = scene.relations.reference(body, body);
     scene.relations.build(relation);
     const auto links =

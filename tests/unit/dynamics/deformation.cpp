@@ -84,7 +84,7 @@ double size(const Mat<Dim>& m) {
 /// S of the law at that F.
 template <int Dim>
 Mat<Dim> stressAt(const Body<Dim>& body, const Mat<Dim>& F) {
-    const auto& law = dynamic_cast<const SaintVenantKirchhoff&>(*body.material);
+    const auto& law = dynamic_cast<const SaintVenantKirchhoff&>(*body.material());
     return law.stress<Dim>(Mat<Dim>(F.transpose() * F), {});
 }
 
@@ -145,7 +145,7 @@ TEMPLATE_TEST_CASE_SIG("a body that is only turned has no stress, force or energ
             const Mat<Dim>& B = body.particles.matrix(fields::correction_matrix)[i];
             // T = P B^T, and the part that the hourglass control adds
             const Mat<Dim>& T = body.particles.matrix(fields::corrected_stress)[i];
-            const Mat<Dim> P = (T + body.hourglass_modulus * F) * B.transpose().inverse();
+            const Mat<Dim> P = (T + body.elastic().hourglass_modulus * F) * B.transpose().inverse();
             stress = std::max(stress, size<Dim>(P));
             uncorrected = std::max(uncorrected, size<Dim>(stressAt<Dim>(body, F * B.inverse())));
         });
@@ -171,13 +171,13 @@ TEMPLATE_TEST_CASE_SIG("stress and density of an affine map", "", ((int Dim), Di
         patch.each([&](Body<Dim>& body, std::size_t i) {
             const Mat<Dim>& B = body.particles.matrix(fields::correction_matrix)[i];
             const Mat<Dim> T = body.particles.matrix(fields::corrected_stress)[i];
-            const Mat<Dim> expected = P * B.transpose() - body.hourglass_modulus * A;
+            const Mat<Dim> expected = P * B.transpose() - body.elastic().hourglass_modulus * A;
             CHECK(size<Dim>(T - expected) / youngs_modulus < exact);
             CHECK(body.particles.scalar(fields::density)[i] ==
                   Approx(density / A.determinant()).epsilon(exact));
         });
         // Per volume: W of the uniform state, without anything that the control would add.
-        const auto& law = dynamic_cast<const SaintVenantKirchhoff&>(*patch.bodies[0]->material);
+        const auto& law = dynamic_cast<const SaintVenantKirchhoff&>(*patch.bodies[0]->material());
         const double W = law.energy<Dim>(A.transpose() * A, {});
         CHECK(patch.energy() == Approx(W * patch.volume()).epsilon(exact));
     }

@@ -16,7 +16,7 @@ constexpr double spacing = 0.1;
 constexpr double youngs_modulus = 1000;
 constexpr double density = 2;
 
-inline std::shared_ptr<const Material> rubber(double damping = 0) {
+inline std::shared_ptr<const ElasticSolid> rubber(double damping = 0) {
     IsotropicParameters p;
     p.density = density;
     p.damping = damping;
@@ -61,10 +61,9 @@ struct ElasticScene {
                    double damping = 0) {
         Body<Dim>& body = *world.bodies.emplace_back(std::make_unique<Body<Dim>>());
         body.name = name;
-        body.kind = BodyKind::solid;
         body.spacing = spacing;
         body.kernel = Kernel<Dim>(KernelType::wendland_c2, 1.15 * spacing, spacing);
-        body.material = rubber(damping);
+        body.role = ElasticRole<Dim>{rubber(damping)};
         ParticleSet<Dim>& p = body.particles;
         p.append(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dynamics/context.h"
-#include "materials/fluid.h"
+#include "materials/weakly_compressible_fluid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +21,8 @@ struct FluidScene {
     /// Particles at rest, each with the volume spacing^Dim.
     explicit FluidScene(const std::vector<Vec<Dim>>& points, double viscosity = 0) {
         water = &add(points, spacing);
-        water->kind = BodyKind::fluid;
-        WeaklyCompressibleFluid::Parameters parameters;
-        parameters.density = density;
-        parameters.sound_speed = sound_speed;
-        parameters.viscosity = viscosity;
-        water->material = std::make_shared<WeaklyCompressibleFluid>(parameters);
+        water->role =
+            FluidRole<Dim>{std::make_shared<LinearFluid>(density, sound_speed, viscosity)};
         water->sees = {water};
         ParticleSet<Dim>& p = water->particles;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -37,7 +33,7 @@ struct FluidScene {
     /// A wall at rest below y = 0.
     Body<Dim>& addWall(const std::vector<Vec<Dim>>& points, double spacing_of_wall) {
         Body<Dim>& wall = add(points, spacing_of_wall);
-        wall.kind = BodyKind::solid;
+        wall.role = WallRole{};
         water->sees.push_back(&wall);
         ParticleSet<Dim>& p = wall.particles;
         for (std::size_t i = 0; i < points.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "dynamics/fsi/average_kinematics.h"
 #include "dynamics/fsi/fluid_force.h"
 #include "materials/saint_venant_kirchhoff.h"
+#include "materials/weakly_compressible_fluid.h"
 
 #include <catch2/catch.hpp>
 
@@ -23,24 +24,18 @@ namespace {
 template <int Dim>
 struct Meeting {
     Meeting() {
-        WeaklyCompressibleFluid::Parameters water;
-        water.density = 2;
-        water.sound_speed = 10;
-        water.viscosity = 0.3;
-        fluid = add(std::make_shared<WeaklyCompressibleFluid>(water), BodyKind::fluid, 0.1, 5, 0);
+        fluid = add(FluidRole<Dim>{std::make_shared<LinearFluid>(2, 10, 0.3)}, 0.1, 5, 0);
         IsotropicParameters rubber;
         rubber.density = 3;
         rubber.lame_lambda = 100;
         rubber.lame_mu = 50;
-        solid = add(std::make_shared<SaintVenantKirchhoff>(rubber), BodyKind::solid, 0.05, 10, 1);
+        solid = add(ElasticRole<Dim>{std::make_shared<SaintVenantKirchhoff>(rubber)}, 0.05, 10, 1);
         fluid->sees = {fluid, solid};
         solid->sees = {fluid};
     }
-    Body<Dim>* add(std::shared_ptr<const Material> material, BodyKind kind, double spacing, int n,
-                   int layers_below) {
+    Body<Dim>* add(decltype(Body<Dim>::role) role, double spacing, int n, int layers_below) {
         Body<Dim>& body = *world.bodies.emplace_back(std::make_unique<Body<Dim>>());
-        body.kind = kind;
-        body.material = material;
+        body.role = std::move(role);
         body.spacing = spacing;
         body.kernel = Kernel<Dim>(KernelType::wendland_c2, 1.3 * spacing, spacing);
         std::vector<Vec<Dim>> points;
@@ -57,11 +52,12 @@ struct Meeting {
         ParticleSet<Dim>& p = body.particles;
         p.append(points.size());
         const double V = std::pow(spacing, Dim);
+        const double rho = body.material()->density();
         for (std::size_t i = 0; i < points.size(); ++i) {
             p.position()[i] = points[i];
             p.scalar(fields::volume)[i] = V;
-            p.scalar(fields::mass)[i] = material->density() * V;
-            p.scalar(fields::density)[i] = material->density() * (1 + 0.01 * number(random));
+            p.scalar(fields::mass)[i] = rho * V;
+            p.scalar(fields::density)[i] = rho * (1 + 0.01 * number(random));
             p.scalar(fields::depth)[i] = std::max(0.0, -points[i][1]);
             p.vector(fields::normal)[i] = Vec<Dim>::Unit(1);
             for (int c = 0; c < Dim; ++c) {

@@ -102,9 +102,9 @@ TEST_CASE("bodies under gravity and body forces move as a point would") {
     Body<2>& body = scene.add("block", scene.lattice({5, 5}, 0.1));
     Stepper<2> stepper(scene.context, body);
     force::Gravity<2> gravity(body, Vec<2>(0, -10));
-    CHECK(body.gravity.isZero(0));
+    CHECK(body.gravity().isZero(0));
     gravity.announce();
-    CHECK(body.gravity == Vec<2>(0, -10));
+    CHECK(body.gravity() == Vec<2>(0, -10));
     const Vec<2> before = centreOf(body);
 
     SECTION("free fall") {

@@ -17,7 +17,7 @@ struct Block {
     Body<3> body;
 
     Block(const Vec<3>& lower, const Vec<3>& upper) {
-        body.kind = BodyKind::solid;
+        body.role = WallRole{};
         body.spacing = dp;
         body.kernel = Kernel<3>(KernelType::wendland_c2, 1.3 * dp, dp);
         body.shape = geometry::makeBox(lower, upper);

@@ -115,7 +115,7 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
     ElasticScene<2> scene;
     scene.world = periodicAlongX(1);
     Body<2>& wall = scene.add("wall", scene.lattice({10, 3}));
-    wall.material = std::make_shared<Rigid>(1);
+    wall.role = WallRole{};
     wall.particles.vector(fields::velocity)[0] = {7, 8};
     const auto& R = wall.particles.vector(fields::initial_position);
     const Clock clock{0.5, 0.25, 0};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "bodies/shares.h"
 #include "dynamics/solid/linear_correction.h"
 #include "dynamics/solid/stress_relaxation.h"
 #include "elastic.h"
@@ -35,7 +36,7 @@ struct Stepper {
         : body(stepped), correction(context, stepped), relaxation(context, stepped, true, true) {
         others.insert(others.end(), {&correction, &relaxation});
         for (Method* method : others) method->announce();
-        body.findShares();
+        findShares(body);
         for (Method* method : others) method->prepare(Origin::start);
         start();
     }

@@ -22,9 +22,9 @@ constexpr double list_error = 1e-8;
 
 /// Fluid whose particles have the given places and velocities, and the force on it.
 template <int Dim>
-struct Fluid : test::FluidScene<Dim> {
+struct Sample : test::FluidScene<Dim> {
     template <class Velocity>
-    Fluid(const std::vector<Vec<Dim>>& points, Velocity&& velocity, ViscousForm form)
+    Sample(const std::vector<Vec<Dim>>& points, Velocity&& velocity, ViscousForm form)
         : test::FluidScene<Dim>(points, viscosity) {
         ViscousForce<Dim> force(this->context, *this->water, WallSlip::no_slip, form);
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -57,7 +57,7 @@ std::vector<Vec<Dim>> rows(int n, Place&& place) {
 /// What the force is of the exact one, at the middle particle of a flow along x with u = y^2.
 template <int Dim>
 double shareOfViscosity(const std::vector<Vec<Dim>>& points, ViscousForm form) {
-    Fluid<Dim> fluid(
+    Sample<Dim> fluid(
         points, [](const Vec<Dim>& x) -> Vec<Dim> { return x[1] * x[1] * Vec<Dim>::Unit(0); },
         form);
     return fluid.acceleration(points.size() / 2)[0] / (2 * viscosity / density);
@@ -101,7 +101,7 @@ TEST_CASE("a free drop that turns") {
         if (x.norm() < radius) points.push_back(x);
     const auto rigid = [=](const Vec<2>& x) -> Vec<2> { return {-turn * x[1], turn * x[0]}; };
     const double scale = viscosity / density * turn / spacing;
-    const auto torque = [&](Fluid<2>& fluid) {
+    const auto torque = [&](Sample<2>& fluid) {
         double sum = 0;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Vec<2>& a = fluid.acceleration(i);
@@ -111,12 +111,12 @@ TEST_CASE("a free drop that turns") {
     };
 
     SECTION("feels no central force") {
-        Fluid<2> fluid(points, rigid, ViscousForm::central);
+        Sample<2> fluid(points, rigid, ViscousForm::central);
         for (std::size_t i = 0; i < points.size(); ++i)
             CHECK(fluid.acceleration(i).norm() < list_error * scale);
     }
     SECTION("is slowed by the laplacian, but only at its surface") {
-        Fluid<2> fluid(points, rigid, ViscousForm::laplacian);
+        Sample<2> fluid(points, rigid, ViscousForm::laplacian);
         for (std::size_t i = 0; i < points.size(); ++i)
             if (points[i].norm() < radius - 4 * spacing)
                 CHECK(fluid.acceleration(i).norm() < list_error * scale);

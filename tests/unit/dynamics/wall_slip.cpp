@@ -38,12 +38,13 @@ struct Stream : FluidScene<Dim> {
             p.vector(fields::velocity)[i] = u(p.position()[i][1]) * Vec<Dim>::Unit(0);
         force = std::make_unique<ViscousForce<Dim>>(this->context, *this->water, slip, form);
         // As fsi.viscous_force and outputs of forces ask for it.
-        list = &this->relations.relation(*this->water, *wall);
-        list->list.keep_distance = true;
+        list = &this->relations.flow(*this->water, *wall, {.distance = true});
         this->relations.update({this->water});
         force->run({});
     }
-    Vec<Dim> forceOnWall() const { return force->forceOn(*wall, list->list); }
+    Vec<Dim> forceOnWall() const {
+        return force->loadOn(*wall, list->list, Vec<Dim>::Zero()).force;
+    }
     /// Acceleration of the particle nearest to y, in the middle of the others.
     Vec<Dim> accelerationAt(double y) const {
         Vec<Dim> place = Vec<Dim>::Constant(length / 2);

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "input/declaration/reader.h"
-#include "input/tree/yaml.h"
-#include "io/register.h"
+#include "io/output/output_factory.h"
 #include "io/series/series.h"
-#include "materials/fluid.h"
+#include "materials/weakly_compressible_fluid.h"
 #include "support.h"
 
 #include <map>
@@ -21,10 +19,9 @@ struct Scene {
     Relations<Dim> relations{world};
     double spacing = 0.1;
 
-    Body<Dim>& add(const std::string& name, BodyKind kind) {
+    Body<Dim>& add(const std::string& name) {
         auto body = std::make_unique<Body<Dim>>();
         body->name = name;
-        body->kind = kind;
         body->spacing = spacing;
         body->kernel = Kernel<Dim>(KernelType::wendland_c2, 1.3 * spacing, spacing);
         world.bodies.push_back(std::move(body));
@@ -59,19 +56,15 @@ struct Scene {
         return body;
     }
     Body<Dim>& observer(const std::vector<Vec<Dim>>& points, std::vector<Body<Dim>*> sees) {
-        Body<Dim>& body = place(add("probe", BodyKind::observer), points);
+        Body<Dim>& body = place(add("probe"), points);
         body.sees = std::move(sees);
         return body;
     }
     /// A weakly compressible fluid at rest with sound speed 10 and the given density.
     Body<Dim>& fluid(const std::string& name, const Box<Dim>& box, double density = 2,
                      double viscosity = 0) {
-        Body<Dim>& body = add(name, BodyKind::fluid);
-        WeaklyCompressibleFluid::Parameters parameters;
-        parameters.density = density;
-        parameters.sound_speed = 10;
-        parameters.viscosity = viscosity;
-        body.material = std::make_shared<WeaklyCompressibleFluid>(parameters);
+        Body<Dim>& body = add(name);
+        body.role = FluidRole<Dim>{std::make_shared<LinearFluid>(density, 10, viscosity)};
         fill(body, box);
         ParticleSet<Dim>& p = body.particles;
         p.vector(fields::velocity);
@@ -82,43 +75,14 @@ struct Scene {
         }
         return body;
     }
+    Body<Dim>& wall(const std::string& name) {
+        Body<Dim>& body = add(name);
+        body.role = WallRole{};
+        return body;
+    }
     io::OutputContext<Dim> context(const io::Path& folder) {
         return {world, relations, folder, {}, {}, nullptr, [] { return Progress{}; }, {}, {}};
     }
-};
-
-/// An entry of `outputs` as the case file writes it: "{type: ..., ...}".
-class Entry {
- public:
-    explicit Entry(const std::string& yaml, int dimension = 2) {
-        io::registerOutputs(registry_);
-        auto source = std::make_shared<input::Source>();
-        source->name = "case.yaml";
-        source->text = yaml;
-        input::Diagnostics diagnostics;
-        const input::Node node = input::readYaml(source, source->text, {}, diagnostics);
-        diagnostics.throwIfErrors();
-        input::Reader reader(diagnostics, registry_);
-        reader.dimension = dimension;
-        component_.name = "row";
-        component_.place = node.place;
-        component_.declaration = registry_.find(input::Kind::output, node.find("type")->text);
-        std::shared_ptr<void> parameters = component_.declaration->makeParameters();
-        input::readParameters(node, node.place, reader,
-                              {{component_.declaration, parameters.get()}}, {"type"});
-        diagnostics.throwIfErrors();
-        component_.parameters = parameters;
-        for (const auto& entry : node.entries)
-            component_.parameter_places.emplace_back(entry.key, entry.value.place);
-    }
-    template <int Dim>
-    std::unique_ptr<Output> make(const io::OutputContext<Dim>& context) const {
-        return component_.declaration->builder<io::OutputFactory>().make(component_, context);
-    }
-
- private:
-    input::Registry registry_;
-    input::Component component_;
 };
 
 /// What throws, says.

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "materials/fluid.h"
+#include "materials/fluid_laws.h"
 
+#include <array>
 #include <catch2/catch.hpp>
-
 #include <cmath>
+#include <memory>
 
 using namespace sphinx;
 
@@ -13,36 +14,32 @@ namespace {
 constexpr double rho0 = 1000;
 constexpr double c0 = 20;
 
-WeaklyCompressibleFluid fluid(EquationOfState equation, double gamma = 7) {
-    WeaklyCompressibleFluid::Parameters p;
-    p.density = rho0;
-    p.sound_speed = c0;
-    p.equation_of_state = equation;
-    p.gamma = gamma;
-    return WeaklyCompressibleFluid(p);
-}
+LinearFluid linearFluid() { return {rho0, c0, 0}; }
+TaitFluid taitFluid(double gamma = 7) { return {rho0, c0, 0, gamma}; }
 
 }  // namespace
 
 TEST_CASE("equations of state by hand") {
-    const WeaklyCompressibleFluid linear = fluid(EquationOfState::linear);
+    const LinearFluid linear = linearFluid();
     CHECK(linear.pressure(1010) == Approx(400 * 10).epsilon(1e-14));
     CHECK(linear.pressure(990) == Approx(-400 * 10).epsilon(1e-14));
     CHECK(linear.densityAt(4000) == Approx(1010).epsilon(1e-14));
     // B = rho0 c0^2/7, and 1.1^7 = 1.9487171.
-    const WeaklyCompressibleFluid tait = fluid(EquationOfState::tait);
+    const TaitFluid tait = taitFluid();
     CHECK(tait.pressure(1100) == Approx(4e5 / 7 * 0.9487171).epsilon(1e-14));
     CHECK(tait.densityAt(4e5 / 7 * 0.9487171) == Approx(1100).epsilon(1e-14));
     // With the exponent 1 it is the linear one.
-    const WeaklyCompressibleFluid straight = fluid(EquationOfState::tait, 1);
+    const TaitFluid straight = taitFluid(1);
     CHECK(straight.pressure(1010) == Approx(4000).epsilon(1e-12));
     CHECK(straight.densityAt(4000) == Approx(1010).epsilon(1e-12));
 }
 
 TEST_CASE("pressure, its inverse, the speed of sound and the internal energy agree") {
-    for (const WeaklyCompressibleFluid& f :
-         {fluid(EquationOfState::linear), fluid(EquationOfState::tait),
-          fluid(EquationOfState::tait, 1.4)}) {
+    const std::size_t number = GENERATE(0, 1, 2);
+    const std::array<std::shared_ptr<const Fluid>, 3> fluids{
+        std::make_shared<LinearFluid>(linearFluid()), std::make_shared<TaitFluid>(taitFluid()),
+        std::make_shared<TaitFluid>(taitFluid(1.4))};
+    withLaw(*fluids[number], [](const auto& f) {
         CHECK(f.pressure(rho0) == 0);
         CHECK(f.densityAt(0) == rho0);
         CHECK(f.internalEnergy(rho0) == 0);
@@ -60,5 +57,19 @@ TEST_CASE("pressure, its inverse, the speed of sound and the internal energy agr
             CHECK(slope([&](double r) { return f.internalEnergy(r); }, rho) ==
                   Approx(f.pressure(rho) / (rho * rho)).epsilon(1e-6).margin(1e-9));
         }
-    }
+    });
+}
+
+TEST_CASE("a fluid gets the law that its parameters ask for") {
+    WeaklyCompressibleFluidParameters p;
+    p.density = rho0;
+    p.sound_speed = c0;
+    const auto pressure = [&] {
+        return withLaw(*makeFluid(p), [](const auto& law) { return law.pressure(1100); });
+    };
+    CHECK(pressure() == linearFluid().pressure(1100));
+    p.equation_of_state = EquationOfState::tait;
+    CHECK(pressure() == taitFluid().pressure(1100));
+    p.gamma = 1.4;
+    CHECK(pressure() == taitFluid(1.4).pressure(1100));
 }

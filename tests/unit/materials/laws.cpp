@@ -127,7 +127,7 @@ TEST_CASE("withLaw gives the class of the solid") {
 
 TEST_CASE("stress is the derivative of the energy") {
     for (const auto& solid : allSolids()) {
-        INFO("law " << static_cast<int>(solid->law()));
+        INFO("law " << nameOf(*solid));
         checkStressIsDerivativeOfEnergy<2>(*solid);
         checkStressIsDerivativeOfEnergy<3>(*solid);
     }
@@ -135,7 +135,7 @@ TEST_CASE("stress is the derivative of the energy") {
 
 TEST_CASE("eight deformations at a time are each of them") {
     for (const auto& solid : allSolids()) {
-        INFO("law " << static_cast<int>(solid->law()));
+        INFO("law " << nameOf(*solid));
         checkEightAtATime<2>(*solid);
         checkEightAtATime<3>(*solid);
     }
@@ -143,7 +143,7 @@ TEST_CASE("eight deformations at a time are each of them") {
 
 TEST_CASE("a rotation on top of a deformation changes no stress") {
     for (const auto& solid : allSolids()) {
-        INFO("law " << static_cast<int>(solid->law()));
+        INFO("law " << nameOf(*solid));
         checkFrameIndifference<2>(*solid);
         checkFrameIndifference<3>(*solid);
     }
@@ -151,7 +151,7 @@ TEST_CASE("a rotation on top of a deformation changes no stress") {
 
 TEST_CASE("a rotated solid at rest is free of stress and energy") {
     for (const auto& solid : allSolids()) {
-        INFO("law " << static_cast<int>(solid->law()));
+        INFO("law " << nameOf(*solid));
         checkRestIsFree<2>(*solid);
         checkRestIsFree<3>(*solid);
     }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "materials/elastic.h"
+#include "materials/elastic_laws.h"
 #include "materials/strain.h"
 
 #include <Eigen/Geometry>
 #include <memory>
 #include <random>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 namespace sphinx {
@@ -54,6 +55,9 @@ inline LinearElasticParameters orthotropicParameters() {
     p.axis_2 = {{-2, 1, 0}, 3};
     return p;
 }
+
+/// Of the final class, for messages.
+inline const char* nameOf(const ElasticSolid& solid) { return typeid(solid).name(); }
 
 /// One solid of each law.
 inline std::vector<std::unique_ptr<ElasticSolid>> allSolids() {

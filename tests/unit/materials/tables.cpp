@@ -84,7 +84,7 @@ TEST_CASE("uniaxial stress agrees with the table") {
     REQUIRE(rows.size() == 63);
     for (const Row& row : rows) {
         const auto& v = row.values;
-        INFO("law " << static_cast<int>(row.solid->law()) << ", stretch " << v[0]);
+        INFO("law " << nameOf(*row.solid) << ", stretch " << v[0]);
         const Vec<3> l = relaxed<3>(*row.solid, Vec<3>(v[0], v[1], v[2]));
         CHECK(l[1] == near(v[1]));
         CHECK(l[2] == near(v[2]));
@@ -103,7 +103,7 @@ TEST_CASE("uniaxial stress in plane strain agrees with the table") {
     REQUIRE(rows.size() == 46);
     for (const Row& row : rows) {
         const auto& v = row.values;
-        INFO("law " << static_cast<int>(row.solid->law()) << ", stretch " << v[0]);
+        INFO("law " << nameOf(*row.solid) << ", stretch " << v[0]);
         const Vec<2> l = relaxed<2>(*row.solid, Vec<2>(v[0], v[1]));
         CHECK(l[1] == near(v[1]));
         const Mat<2> F = l.asDiagonal();
@@ -122,7 +122,7 @@ TEST_CASE("uniaxial strain agrees with the table") {
     REQUIRE(rows.size() == 63);
     for (const Row& row : rows) {
         const auto& v = row.values;
-        INFO("law " << static_cast<int>(row.solid->law()) << ", stretch " << v[0]);
+        INFO("law " << nameOf(*row.solid) << ", stretch " << v[0]);
         const Mat<3> F = Vec<3>(v[0], 1, 1).asDiagonal();
         const auto s = stresses<3>(*row.solid, F);
         const Mat<2> plane = F.topLeftCorner<2, 2>();
@@ -141,7 +141,7 @@ TEST_CASE("simple shear agrees with the table") {
     REQUIRE(rows.size() == 52);
     for (const Row& row : rows) {
         const auto& v = row.values;
-        INFO("law " << static_cast<int>(row.solid->law()) << ", shear " << v[0]);
+        INFO("law " << nameOf(*row.solid) << ", shear " << v[0]);
         Mat<3> F = Mat<3>::Identity();
         F(0, 1) = v[0];
         const auto s = stresses<3>(*row.solid, F);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/observe.h"
 
-#include "../io/scene.h"
+#include "entry.h"
 #include "measure/observe_weights.h"
 
 #include <catch2/catch.hpp>

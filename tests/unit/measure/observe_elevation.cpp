@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/observe_elevation.h"
 
-#include "../io/scene.h"
+#include "entry.h"
 
 #include <catch2/catch.hpp>
 
@@ -51,7 +51,7 @@ TEMPLATE_TEST_CASE_SIG("at a wall the fluid fills what the wall leaves", "", ((i
     Body<Dim>& water = scene.fluid("water", {V::Zero(), upper});
     V wall_lower = V::Constant(-0.4), wall_upper = V::Constant(1.4);
     wall_upper[0] = 0;
-    Body<Dim>& wall = scene.fill(scene.add("wall", BodyKind::solid), {wall_lower, wall_upper});
+    Body<Dim>& wall = scene.fill(scene.wall("wall"), {wall_lower, wall_upper});
     water.sees = {&water, &wall};
     std::vector<V> points;
     for (const double x : {-0.2, 0.0, 0.01, 0.05, 0.1, 0.5}) {
@@ -67,9 +67,9 @@ TEST_CASE("heights are measured against gravity") {
     Scene<2> scene;
     Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
     Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5)}, {&water});
-    water.gravity = Vec<2>(-3, 0);
+    water.fluid().gravity = Vec<2>(-3, 0);
     CHECK(elevations(scene, probe)[0] == Approx(1).margin(1e-3));
-    water.gravity = Vec<2>(0, 2);  // upwards: the surface is at y = 0, the height is -y
+    water.fluid().gravity = Vec<2>(0, 2);  // upwards: the surface is at y = 0, the height is -y
     CHECK(elevations(scene, probe)[0] == Approx(0).margin(1e-3));
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("the surface of a case is written like any series") {
     CHECK_THAT(text, Catch::StartsWith("time [s],elevation_0 [m],elevation_1 [m],position_0_x [m],"
                                        "position_0_y [m],position_1_x [m],position_1_y [m]\n"));
     CHECK_THAT(text, Catch::EndsWith(",nan,0.25,0,3,0\n"));
-    probe.sees = {&scene.add("wall", BodyKind::solid)};
+    probe.sees = {&scene.wall("wall")};
     CHECK_THAT(errorOf([&] { entry.make(scene.context(folder.path())); }),
                Catch::Contains("the observer 'probe' sees no fluid"));
 }

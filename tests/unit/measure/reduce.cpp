@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "../io/scene.h"
 #include "core/parallel.h"
+#include "entry.h"
 #include "measure/reduce_motion.h"
 
 #include <Eigen/Geometry>
@@ -28,7 +28,7 @@ struct Block : Scene<Dim> {
 
 TEMPLATE_TEST_CASE_SIG("energies of a block that falls", "", ((int Dim), Dim), 2, 3) {
     Block<Dim> block;
-    block.water.gravity[Dim - 1] = -9;
+    block.water.fluid().gravity[Dim - 1] = -9;
     for (std::size_t i = 0; i < block.water.size(); ++i) block.v[i][Dim - 1] = -3;
     std::vector<double> row = rowOf(*mechanicalEnergy(block.reduced));
     CHECK(row[0] == Approx(0.5 * 2 * 9));  // m v^2/2
@@ -109,7 +109,7 @@ TEST_CASE("sums do not depend on the number of threads") {
     Scene<2> scene;
     scene.spacing = 0.01;
     Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
-    water.gravity = Vec<2>(0.1, -9);
+    water.fluid().gravity = Vec<2>(0.1, -9);
     for (std::size_t i = 0; i < water.size(); ++i)
         water.particles.vector(fields::velocity)[i] = Vec<2>(std::sin(1.0 * i), std::cos(3.0 * i));
     const auto source = mechanicalEnergy(ReducedBody<2>{&water, {}, {}});
@@ -124,8 +124,7 @@ TEST_CASE("reductions of a case are named and checked") {
     TemporaryFolder folder;
     Scene<2> scene;
     scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
-    Body<2>& wall = scene.fill(scene.add("wall", BodyKind::solid), {Vec<2>(0, -1), Vec<2>(1, 0)});
-    wall.material = std::make_shared<Rigid>(1.0);
+    scene.fill(scene.wall("wall"), {Vec<2>(0, -1), Vec<2>(1, 0)});
     const auto header = [&](const std::string& quantity) {
         Entry("{type: reduce, body: water, quantity: " + quantity + "}")
             .make(scene.context(folder.path()))

@@ -46,14 +46,14 @@ struct Tank : Scene<Dim> {
             this->world.domain.periodic = {false, true, false};
         }
         water->sees = {water, floor, left, right};
-        water->gravity[Dim - 1] = -g;
+        water->fluid().gravity[Dim - 1] = -g;
         ParticleSet<Dim>& p = water->particles;
         for (std::size_t i = 0; i < water->size(); ++i) {
             const double depth = height - p.position()[i][Dim - 1];
             p.scalar(fields::pressure)[i] = density * g * depth;
             p.scalar(fields::density)[i] = density + density * g * depth / 100;
             p.scalar(fields::volume)[i] = p.scalar(fields::mass)[i] / p.scalar(fields::density)[i];
-            p.vector(fields::external_acceleration)[i] = water->gravity;
+            p.vector(fields::external_acceleration)[i] = water->gravity();
         }
         Context<Dim> context{this->world, this->relations};
         acoustic = std::make_unique<fluid::PressureRelaxation<Dim>>(
@@ -62,7 +62,7 @@ struct Tank : Scene<Dim> {
             context, *water, fluid::WallSlip::no_slip, fluid::ViscousForm::laplacian);
     }
     Body<Dim>& solid(const std::string& name, const Box<Dim>& box, int axis, double side) {
-        Body<Dim>& body = this->add(name, BodyKind::solid);
+        Body<Dim>& body = this->wall(name);
         this->fill(body, box);
         const double face = side > 0 ? box.upper[axis] : box.lower[axis];
         for (std::size_t i = 0; i < body.size(); ++i) {
@@ -149,6 +149,48 @@ TEST_CASE("friction on the walls is what viscosity takes from the fluid") {
     CHECK(tank.forceOn(*tank.floor).second[0] > 0);  // the floor is dragged along
 }
 
+TEST_CASE("moments of water at rest are those of its forces at the middle of the floor") {
+    Tank<2> tank(0.04);
+    tank.relations.update({tank.water, tank.floor, tank.left, tank.right});
+    const double weight = tank.forceOn(*tank.floor).first[1];
+    OutputContext<2> context = tank.context("");
+    context.methods = {tank.acoustic.get(), tank.viscous.get()};
+    const auto momentAbout = [&](const Vec<2>& about) {
+        return rowOf(*makeForceSource<2>(*tank.floor, {}, context, about));
+    };
+    CHECK(std::abs(momentAbout(Vec<2>(0.5, 0))[0]) < 1e-12 * std::abs(weight));
+    CHECK(momentAbout(Vec<2>(0, 0))[0] == Approx(0.5 * weight).epsilon(1e-12));
+    // By pressure, by viscosity, both.
+    CHECK(momentAbout(Vec<2>(0, 0))[1] == 0);
+    CHECK(momentAbout(Vec<2>(0, 0))[2] == momentAbout(Vec<2>(0, 0))[0]);
+}
+
+TEST_CASE("moments by friction are those of the forces on the wall's particles") {
+    Tank<2> tank(0.04);
+    Body<2>& water = *tank.water;
+    for (std::size_t i = 0; i < water.size(); ++i)
+        water.particles.vector(fields::velocity)[i] = Vec<2>(1, -2) * std::sin(7.0 * i);
+    Relation<2>& of_floor = tank.relations.flow(*tank.floor, water, {.distance = true});
+    tank.relations.update({&water, tank.floor, tank.left, tank.right});
+    Field<Vec<2>>& force = tank.floor->particles.vector(fields::viscous_force);
+    const Vec<2> about(0.3, 0.2);
+    const Relation<2>& of_water = tank.relations.flow(water, *tank.floor, {});
+    for (const fluid::ViscousForm form :
+         {fluid::ViscousForm::laplacian, fluid::ViscousForm::central}) {
+        Context<2> context{tank.world, tank.relations};
+        fluid::ViscousForce<2> viscous(context, water, fluid::WallSlip::no_slip, form);
+        for (std::size_t j = 0; j < tank.floor->size(); ++j) force[j].setZero();
+        viscous.addForces(*tank.floor, of_floor.list, force);
+        Load<2> sum;
+        for (std::size_t j = 0; j < tank.floor->size(); ++j)
+            sum.add(tank.floor->particles.position()[j] - about, force[j]);
+        const Load<2> load = viscous.loadOn(*tank.floor, of_water.list, about);
+        // Lists hold gradients and distances as 32-bit whole numbers.
+        CHECK((load.force - sum.force).norm() < 1e-12 * sum.force.norm());
+        CHECK(load.moment[0] == Approx(sum.moment[0]).epsilon(1e-8));
+    }
+}
+
 TEST_CASE("within an advection step the force is the one that the fluid feels") {
     Tank<2> tank(0.04);
     Body<2>& water = *tank.water;
@@ -170,7 +212,7 @@ TEST_CASE("within an advection step the force is the one that the fluid feels") 
     };
     Vec<2> weight = Vec<2>::Zero();
     for (std::size_t i = 0; i < water.size(); ++i)
-        weight += p.scalar(fields::mass)[i] * water.gravity;
+        weight += p.scalar(fields::mass)[i] * water.gravity();
     const Vec<2> before = momentum();
     const double dt = 1e-3;
     tank.acoustic->firstHalf({0, dt, 0});
@@ -194,7 +236,7 @@ TEST_CASE("the force does not depend on the order of the particles") {
 TEST_CASE("lists of the loop are left alone by the force") {
     Tank<2> tank(0.04);
     tank.relations.update({tank.water});
-    const Relation<2>& list = tank.relations.relation(*tank.water, *tank.floor);
+    const Relation<2>& list = tank.relations.flow(*tank.water, *tank.floor, {});
     const std::uint64_t built = list.from_version;
     for (std::size_t i = 0; i < tank.water->size(); ++i)
         tank.water->particles.position()[i][1] += 0.01;

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/types.h"
+#include "materials/elastic_solid.h"
+#include "materials/fluid.h"
+#include "materials/material.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace sphinx {
+
+template <int Dim>
+struct BodyPart;
+
+// What a body is to methods and outputs. Its role is found once, when the world is built; whoever
+// works on a body asks it for the role that it needs (Body::fluid() and others) and gets the
+// material and what only bodies of that role know.
+
+/// Moves by its pressure.
+template <int Dim>
+struct FluidRole {
+    std::shared_ptr<const Fluid> material;
+    Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
+};
+
+/// Does not deform, and stands still or moves as prescribed: holds fluids back.
+struct WallRole {
+    std::shared_ptr<const Material> material;
+};
+
+/// Moves by its stress.
+template <int Dim>
+struct ElasticRole {
+    std::shared_ptr<const ElasticSolid> material;
+    Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
+    /// Stiffness of its hourglass control, pressure; see solid/deformation.h.
+    double hourglass_modulus = 0;
+    /// Parts along whose surface the body is clamped (constraint.clamp).
+    std::vector<const BodyPart<Dim>*> clamps = {};
+    /// Part of the particle's cell that is elastic material, 0 to 1: what no clamp covers. Empty:
+    /// 1. See shares.h.
+    std::vector<double> shares = {};
+
+    double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
+    /// The motion of the particle is that of others (constraint.clamp), it has no mass of its own.
+    bool isImage(std::size_t i) const { return share(i) < real_share; }
+    /// A particle of which clamps leave less is an image: rows of a lattice then begin between a
+    /// quarter and five quarters of a spacing outside of the clamp.
+    static constexpr double real_share = 0.75 - 1e-6;
+};
+
+/// Looks, and does not act.
+struct ObserverRole {};
+
+}  // namespace sphinx

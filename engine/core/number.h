@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/lanes.h"
+
+#include <cmath>
+#include <type_traits>
+
+// What pair terms ask of a number, which is double, or eight of them (Lanes, FloatLanes).
+namespace sphinx {
+
+/// The number of which `Number` holds one or eight.
+template <class Number>
+using ScalarOf =
+    std::conditional_t<std::is_arithmetic_v<Number>, Number,
+                       std::conditional_t<std::is_same_v<Number, FloatLanes>, float, double>>;
+
+/// The same value in each lane.
+template <class Number>
+[[gnu::always_inline]] inline Number everywhere(double a) {
+    const auto value = static_cast<ScalarOf<Number>>(a);
+    if constexpr (std::is_arithmetic_v<Number>)
+        return value;
+    else
+        return Number{value, value, value, value, value, value, value, value};
+}
+
+template <class Number>
+[[gnu::always_inline]] inline Number larger(Number a, Number b) {
+    return a > b ? a : b;
+}
+template <class Number>
+[[gnu::always_inline]] inline Number smaller(Number a, Number b) {
+    return a < b ? a : b;
+}
+template <class Number>
+[[gnu::always_inline]] inline Number absolute(Number a) {
+    return larger<Number>(a, -a);
+}
+
+/// Sum over the components of a_c b_c. Every product is rounded before it is added: of a product
+/// fused with the addition and one that is not, the components of a turned case would change
+/// places.
+template <int Dim, class Number>
+[[gnu::always_inline]] inline Number dot(const Number* a, const Number* b) {
+    const auto product = [&](int c) {
+#if defined(__GNUC__) && !defined(__clang__)
+        return __builtin_assoc_barrier(a[c] * b[c]);  // GCC fuses across statements
+#else
+        return a[c] * b[c];
+#endif
+    };
+    Number sum = product(0);
+    for (int c = 1; c < Dim; ++c) sum += product(c);
+    return sum;
+}
+
+}  // namespace sphinx

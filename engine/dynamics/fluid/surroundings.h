@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/context.h"
+#include "dynamics/fluid/wall_fields.h"
+
+#include <vector>
+
+namespace sphinx::fluid {
+
+/// A fluid's neighbors as its methods sum over them: its own particles, and the walls that it sees.
+/// Made in a method's constructor.
+template <int Dim>
+class Surroundings {
+ public:
+    struct Wall {
+        Body<Dim>* body;
+        const Relation<Dim>* relation;
+        WallFields<Dim> fields;
+
+        const NeighborList<Dim>& list() const { return relation->list; }
+    };
+    /// What the lists keep for each pair besides the gradient.
+    struct Needs {
+        Keeps own = {};
+        Keeps walls = {};
+        bool sees_walls = true;
+    };
+
+    Surroundings(Context<Dim>& context, Body<Dim>& fluid, const Needs& needs) {
+        for (Body<Dim>* other : fluid.sees) {
+            if (other == &fluid)
+                own_ = &context.relations.flow(fluid, fluid, needs.own);
+            else if (needs.sees_walls)
+                walls_.push_back({other, &context.relations.flow(fluid, *other, needs.walls),
+                                  WallFields<Dim>(*other)});
+        }
+    }
+
+    /// The fluid's own particles. The fluid is known to see itself.
+    const NeighborList<Dim>& own() const { return own_->list; }
+    const std::vector<Wall>& walls() const { return walls_; }
+    /// nullptr where the body is none of the walls.
+    const Wall* wall(const Body<Dim>& body) const {
+        for (const Wall& wall : walls_)
+            if (wall.body == &body) return &wall;
+        return nullptr;
+    }
+
+ private:
+    const Relation<Dim>* own_ = nullptr;
+    std::vector<Wall> walls_;
+};
+
+}  // namespace sphinx::fluid
