@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sphinx {
 
 /// One interface for saving and for loading: a stateful class has a single transfer(Archive&), so
 /// that what is written is what is read. Values are exact (bitwise) in both directions.
-/// Small state only (clocks, triggers, counters); particle fields are written by io as arrays.
+/// Small state only (clocks, triggers, counters, points of an observer); particle fields are
+/// written by io as arrays.
 class Archive {
  public:
     virtual ~Archive() = default;
@@ -18,7 +20,13 @@ class Archive {
     virtual bool loading() const = 0;
     virtual void value(std::string_view name, double& v) = 0;
     virtual void value(std::string_view name, std::int64_t& v) = 0;
+    virtual void value(std::string_view name, bool& v) = 0;
     virtual void value(std::string_view name, std::string& v) = 0;
+    virtual void value(std::string_view name, std::vector<double>& v) = 0;
+    virtual void value(std::string_view name, std::vector<std::int64_t>& v) = 0;
+
+    /// Whether the present section has a value or a section of that name; ever so when saving.
+    virtual bool has(std::string_view name) const = 0;
 
     /// Opens a named section; names of siblings differ. Throws FileError when loading and it is
     /// missing.

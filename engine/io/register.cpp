@@ -8,7 +8,6 @@
 #include "io/frames/vtkhdf.h"
 #include "io/frames/vtu.h"
 #include "io/output/progress.h"
-#include "io/output/unit_text.h"
 
 namespace sphinx::io {
 namespace {
@@ -107,8 +106,7 @@ void declareProgress(input::Registry& registry) {
     d.builder(outputFactory<P>(
         []<int Dim>(const P&, const Component&, const OutputContext<Dim>& context) {
             return std::make_unique<ProgressOutput>(
-                ProgressParameters{onTerminal(), unitText(unit::time, context.units)},
-                context.progress);
+                ProgressParameters{onTerminal(), context.units.text(unit::time)}, context.progress);
         }));
 }
 

@@ -3,7 +3,6 @@
 #include "measure/observe.h"
 
 #include "io/file/compress.h"
-#include "io/output/unit_text.h"
 #include "io/series/rows_output.h"
 #include "io/series/series_columns.h"
 #include "measure/observe_elevation.h"
@@ -22,7 +21,7 @@ ObserveSource<Dim>::ObserveSource(std::unique_ptr<ObserveWeights<Dim>> weights,
     : weights_(std::move(weights)), fields_(std::move(fields)), mean_(mean) {
     const std::size_t points = mean ? 1 : weights_->points();
     const auto add = [&](std::string_view name, Rank rank, Dimension unit, std::string text) {
-        quantities_.push_back({std::string(name), unitText(unit, units), std::move(text),
+        quantities_.push_back({std::string(name), units.text(unit), std::move(text),
                                pointLabels(points, componentLabels<Dim>(rank))});
     };
     for (const std::vector<FieldBase*>& field : fields_) {

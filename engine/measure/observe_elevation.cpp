@@ -3,7 +3,6 @@
 #include "measure/observe_elevation.h"
 
 #include "core/parallel.h"
-#include "io/output/unit_text.h"
 #include "io/series/series_columns.h"
 
 #include <algorithm>
@@ -42,7 +41,7 @@ ElevationSource<Dim>::ElevationSource(const std::vector<Vec<Dim>>& points,
         };
         if (std::none_of(gauges_.begin(), gauges_.end(), above)) gauges_.push_back(point);
     }
-    const std::string length = unitText(unit::length, units);
+    const std::string length = units.text(unit::length);
     quantities_ = {{"elevation", length, "height of the free surface against gravity",
                     pointLabels(gauges_.size(), {})},
                    {"position", length, "a point of each gauge",

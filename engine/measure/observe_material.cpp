@@ -3,10 +3,8 @@
 #include "measure/observe_material.h"
 
 #include "core/errors.h"
-#include "io/file/base64.h"
-#include "io/file/little_endian.h"
 
-#include <bit>
+#include <algorithm>
 #include <limits>
 
 namespace sphinx::io {
@@ -96,61 +94,72 @@ void MaterialWeights<Dim>::locate() {
     }
 }
 
-/// Numbers of 8 bytes: of points, then for each its offset, the number of anchors, and body, id and
-/// weight of each.
+/// What is attached, all points one after the other.
 template <int Dim>
-std::string MaterialWeights<Dim>::encoded() const {
-    LittleEndian bytes;
-    bytes.u64(attached_.size());
-    for (const Point& point : attached_) {
-        for (int k = 0; k < Dim; ++k) bytes.u64(std::bit_cast<std::uint64_t>(point.offset[k]));
-        bytes.u64(point.anchors.size());
-        for (const Anchor& anchor : point.anchors)
-            bytes.u64(anchor.body)
-                .u64(static_cast<std::uint64_t>(anchor.id))
-                .u64(std::bit_cast<std::uint64_t>(anchor.weight));
-    }
-    return bytes.take();
-}
+struct MaterialWeights<Dim>::Arrays {
+    std::vector<double> offset;          // Dim components a point
+    std::vector<std::int64_t> anchors;   // how many a point has
+    std::vector<std::int64_t> body, id;  // of an anchor
+    std::vector<double> weight;          // likewise
 
-template <int Dim>
-void MaterialWeights<Dim>::decode(std::string_view bytes) {
-    const auto damaged = [&] {
-        return FileError("the attachment of observer '" + observer_->name + "' is damaged");
-    };
-    const auto next = [&] {
-        if (bytes.size() < 8) throw damaged();
-        std::uint64_t value = 0;
-        for (int k = 7; k >= 0; --k) value = value << 8 | static_cast<unsigned char>(bytes[k]);
-        bytes.remove_prefix(8);
-        return value;
-    };
-    attached_.clear();
-    // Observers are free to change between a run and its resumption.
-    if (next() != this->points()) return;
-    attached_.resize(this->points());
-    for (Point& point : attached_) {
-        for (int k = 0; k < Dim; ++k) point.offset[k] = std::bit_cast<double>(next());
-        const std::uint64_t anchors = next();
-        for (std::uint64_t k = 0; k < anchors; ++k) {
-            const std::uint64_t body = next();
-            const std::uint64_t id = next();
-            if (body >= this->bodies().size()) throw damaged();
-            point.anchors.push_back({static_cast<std::uint32_t>(body),
-                                     static_cast<std::int64_t>(id), unknown,
-                                     std::bit_cast<double>(next())});
+    explicit Arrays(const std::vector<Point>& points) {
+        for (const Point& point : points) {
+            offset.insert(offset.end(), point.offset.begin(), point.offset.end());
+            anchors.push_back(static_cast<std::int64_t>(point.anchors.size()));
+            for (const Anchor& anchor : point.anchors) {
+                body.push_back(anchor.body);
+                id.push_back(anchor.id);
+                weight.push_back(anchor.weight);
+            }
         }
     }
-    if (!bytes.empty()) throw damaged();
-}
+
+    void transfer(Archive& archive) {
+        archive.value("offset", offset);
+        archive.value("anchors", anchors);
+        archive.value("body", body);
+        archive.value("id", id);
+        archive.value("weight", weight);
+    }
+
+    /// Whether the lengths fit together, and there are no other bodies than so many.
+    bool sound(std::size_t bodies) const {
+        std::size_t all = 0;
+        for (const std::int64_t some : anchors) {
+            if (some < 0 || static_cast<std::size_t>(some) > id.size() - all) return false;
+            all += static_cast<std::size_t>(some);
+        }
+        const auto there = [&](std::int64_t b) {
+            return b >= 0 && static_cast<std::size_t>(b) < bodies;
+        };
+        return offset.size() == Dim * anchors.size() && all == id.size() &&
+               body.size() == id.size() && weight.size() == id.size() &&
+               std::all_of(body.begin(), body.end(), there);
+    }
+
+    std::vector<Point> points() const {
+        std::vector<Point> result(anchors.size());
+        std::size_t k = 0;
+        for (std::size_t point = 0; point < result.size(); ++point) {
+            for (int c = 0; c < Dim; ++c) result[point].offset[c] = offset[Dim * point + c];
+            for (const std::size_t end = k + anchors[point]; k < end; ++k)
+                result[point].anchors.push_back(
+                    {static_cast<std::uint32_t>(body[k]), id[k], unknown, weight[k]});
+        }
+        return result;
+    }
+};
 
 template <int Dim>
 void MaterialWeights<Dim>::transfer(Archive& archive) {
-    std::string text = archive.loading() || attached_.empty() ? "" : encodeBase64(encoded());
-    archive.value("attachment", text);
-    if (!archive.loading() || text.empty()) return;
-    const std::optional<std::string> bytes = decodeBase64(text);
-    decode(bytes.value_or(""));
+    Arrays arrays(attached_);
+    arrays.transfer(archive);
+    if (!archive.loading()) return;
+    if (!arrays.sound(this->bodies().size()))
+        throw FileError("the attachment of observer '" + observer_->name + "' is damaged");
+    attached_.clear();
+    // Observers are free to change between a run and its resumption.
+    if (arrays.anchors.size() == this->points()) attached_ = arrays.points();
 }
 
 template class MaterialWeights<2>;

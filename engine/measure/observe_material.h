@@ -5,8 +5,6 @@
 #include "bodies/world.h"
 #include "measure/observe_weights.h"
 
-#include <string>
-
 namespace sphinx::io {
 
 /// Weights of points that follow the material: those of the first update, of the same particles
@@ -33,11 +31,11 @@ class MaterialWeights final : public ObserveWeights<Dim> {
         std::vector<Anchor> anchors;
     };
 
+    struct Arrays;
+
     void attach();
     void locate();
     Vec<Dim> meanPosition(const std::vector<ParticleWeight>& weights) const;
-    std::string encoded() const;
-    void decode(std::string_view bytes);
 
     using ObserveWeights<Dim>::observer_;
     using ObserveWeights<Dim>::weights_;

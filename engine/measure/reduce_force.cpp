@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/reduce_force.h"
 
-#include "io/output/unit_text.h"
 #include "io/series/series_columns.h"
 
 #include <algorithm>
@@ -29,7 +28,7 @@ ForceSource<Dim>::ForceSource(const Body<Dim>& solid,
         place->loads.push_back(load);
     }
     if (moment_about_) {
-        const std::string moment = unitText(unit::force * unit::length, units);
+        const std::string moment = units.text(unit::force * unit::length);
         const std::vector<std::string> axes =
             Dim == 2 ? std::vector<std::string>{} : componentLabels<3>(Rank::vector);
         quantities_ = {{"pressure_moment", moment, "by the pressure of the fluids", axes},
@@ -37,7 +36,7 @@ ForceSource<Dim>::ForceSource(const Body<Dim>& solid,
                        {"moment", moment, "of the fluids on the body", axes}};
         return;
     }
-    const std::string force = unitText(unit::force, units);
+    const std::string force = units.text(unit::force);
     const std::vector<std::string> axes = componentLabels<Dim>(Rank::vector);
     quantities_ = {{"pressure_force", force, "by the pressure of the fluids", axes},
                    {"viscous_force", force, "by the viscosity of the fluids", axes},

@@ -4,7 +4,6 @@
 
 #include "core/parallel.h"
 #include "dynamics/solid/internal_energy.h"
-#include "io/output/unit_text.h"
 #include "io/series/series_columns.h"
 #include "materials/fluid_laws.h"
 #include "measure/reduce.h"
@@ -79,7 +78,7 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
     if (reduced.body->isWall())
         failAt(reduced.place, "'" + reduced.body->name +
                                   "' is rigid: it has no internal energy; ask for kinetic_energy");
-    const std::string energy = unitText(unit::energy, reduced.units);
+    const std::string energy = reduced.units.text(unit::energy);
     const Motion<Dim> motion(reduced);
     const auto* density = &require<double>(reduced, fields::density);
     Relations<Dim>* relations = reduced.relations;
@@ -109,7 +108,7 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
 template <int Dim>
 std::unique_ptr<SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
-    return sums<1>({{"kinetic", unitText(unit::energy, reduced.units), "sum of m v^2/2", {}}},
+    return sums<1>({{"kinetic", reduced.units.text(unit::energy), "sum of m v^2/2", {}}},
                    motion.body,
                    [motion](std::size_t i) { return std::array<double, 1>{motion.kinetic(i)}; });
 }
@@ -119,12 +118,10 @@ std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>& reduced) {
     const Body<Dim>* body = reduced.body;
     const Motion<Dim> motion(reduced);
     return std::make_unique<ReduceSource>(
-        std::vector<SeriesQuantity>{{"mass",
-                                     unitText(unit::mass, reduced.units),
-                                     "of the body, without what a clamp holds",
-                                     {}},
-                                    {"particles", "", "number of particles", {}},
-                                    {"removed", "", "particles that have left the body", {}}},
+        std::vector<SeriesQuantity>{
+            {"mass", reduced.units.text(unit::mass), "of the body, without what a clamp holds", {}},
+            {"particles", "", "number of particles", {}},
+            {"removed", "", "particles that have left the body", {}}},
         [body, motion](std::span<double> row) {
             row[0] = parallelSum(body->size(), [&](std::size_t i) { return motion.mass(i); });
             row[1] = static_cast<double>(body->size());
@@ -135,7 +132,7 @@ std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>& reduced) {
 template <int Dim>
 std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
-    return sums<Dim>({{"momentum", unitText(unit::momentum, reduced.units), "sum of m v",
+    return sums<Dim>({{"momentum", reduced.units.text(unit::momentum), "sum of m v",
                        componentLabels<Dim>(Rank::vector)}},
                      motion.body, [motion](std::size_t i) {
                          std::array<double, Dim> term;
@@ -148,7 +145,7 @@ template <int Dim>
 std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
     SeriesQuantity quantity{"angular_momentum",
-                            unitText(unit::momentum * unit::length, reduced.units),
+                            reduced.units.text(unit::momentum * unit::length),
                             "sum of m x cross v about the origin",
                             {}};
     if constexpr (Dim == 2) {
@@ -176,7 +173,7 @@ std::unique_ptr<SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced) {
     const auto* v = &require<Vec<Dim>>(reduced, fields::velocity);
     return std::make_unique<ReduceSource>(
         std::vector<SeriesQuantity>{
-            {"maximum_speed", unitText(unit::velocity, reduced.units), "largest abs(v)", {}}},
+            {"maximum_speed", reduced.units.text(unit::velocity), "largest abs(v)", {}}},
         [body, v](std::span<double> row) {
             row[0] = body->size() == 0 ? nan_value
                                        : std::sqrt(parallelMax(body->size(), 0, [&](std::size_t i) {
@@ -190,7 +187,7 @@ std::unique_ptr<SeriesSource> frontPosition(const ReducedBody<Dim>& reduced, int
     const Body<Dim>* body = reduced.body;
     return std::make_unique<ReduceSource>(
         std::vector<SeriesQuantity>{{"front_position",
-                                     unitText(unit::length, reduced.units),
+                                     reduced.units.text(unit::length),
                                      std::string("largest ") + "xyz" [axis],
                                      {}}},
         [body, axis](std::span<double> row) {

@@ -3,7 +3,6 @@
 #include "measure/reduce_reaction.h"
 
 #include "dynamics/constraint/support.h"
-#include "io/output/unit_text.h"
 #include "io/series/series_columns.h"
 #include "measure/reduce.h"
 
@@ -20,7 +19,7 @@ std::unique_ptr<SeriesSource> makeReactionSource(const Body<Dim>& body, const in
     if (supports.empty())
         failAt(place, "no method of the loop holds particles of '" + body.name + "'");
     return std::make_unique<ReduceSource>(
-        std::vector<SeriesQuantity>{{"reaction", unitText(unit::force, context.units),
+        std::vector<SeriesQuantity>{{"reaction", context.units.text(unit::force),
                                      "force of the constraints on the body",
                                      componentLabels<Dim>(Rank::vector)}},
         [supports](std::span<double> row) {

@@ -53,6 +53,12 @@ void transfer(Archive& archive) {
     archive.value("time", time);
     archive.value("steps", steps);
     archive.value("names", names);
+    bool flag = false;
+    std::vector<double> numbers;
+    std::vector<std::int64_t> integers;
+    archive.value("flag", flag);
+    archive.value("numbers", numbers);
+    archive.value("integers", integers);
 }
 
 void read(std::string_view bytes) {

@@ -27,7 +27,7 @@ class SolidLoad {
     /// Time of the step in which it acted last; without one: minus infinity.
     double lastTime() const { return last_time_; }
     /// The window in which it acted is over.
-    bool hasEnded() const { return has_ended_ != 0; }
+    bool hasEnded() const { return has_ended_; }
     /// Force on the solid at the present state and its moment about a point; zero when the method
     /// does not act on it. `list`: the fluid's neighbors in the solid, with distances.
     virtual Load<Dim> loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
@@ -41,9 +41,9 @@ class SolidLoad {
  protected:
     void actedAt(double time) {
         last_time_ = time;
-        has_ended_ = 0;
+        has_ended_ = false;
     }
-    void endLoad() { has_ended_ = 1; }
+    void endLoad() { has_ended_ = true; }
     void transferLoad(Archive& archive) {
         archive.value("last_time", last_time_);
         archive.value("has_ended", has_ended_);
@@ -51,7 +51,7 @@ class SolidLoad {
 
  private:
     double last_time_ = -std::numeric_limits<double>::infinity();
-    std::int64_t has_ended_ = 0;
+    bool has_ended_ = false;
 };
 
 /// The load by which that fluid pushes at present: of several, which share the time of the run, the

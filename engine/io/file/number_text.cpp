@@ -81,6 +81,47 @@ std::optional<std::int64_t> parseInteger(std::string_view text) {
     return parse<std::int64_t>(text);
 }
 
+namespace {
+
+template <class T, class Append>
+void appendEach(std::string& text, std::span<const T> values, Append append_one) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (k > 0) text += ' ';
+        append_one(text, values[k]);
+    }
+}
+
+template <class T, class Parse>
+bool parseEach(std::string_view text, std::span<T> values, Parse parse_one) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        const std::optional<T> value = parse_one(text.substr(0, end));
+        if (!value) return false;
+        values[k] = *value;
+        if (end == text.size()) return k + 1 == values.size();
+        text.remove_prefix(end + 1);
+    }
+    return values.empty() && text.empty();
+}
+
+}  // namespace
+
+void appendList(std::string& text, std::span<const double> values) {
+    appendEach(text, values, appendExactNumber);
+}
+
+void appendList(std::string& text, std::span<const std::int64_t> values) {
+    appendEach(text, values, appendInteger);
+}
+
+bool parseList(std::string_view text, std::span<double> values) {
+    return parseEach(text, values, parseExactNumber);
+}
+
+bool parseList(std::string_view text, std::span<std::int64_t> values) {
+    return parseEach(text, values, parseInteger);
+}
+
 std::string hexText(std::uint32_t value) {
     std::string text;
     appendHex(text, value, 8);

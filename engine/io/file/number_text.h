@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,14 @@ std::optional<double> parseExactNumber(std::string_view text);
 void appendInteger(std::string& text, std::int64_t value);
 /// Nothing if the text is not exactly one decimal integer that fits.
 std::optional<std::int64_t> parseInteger(std::string_view text);
+
+/// Exact numbers with a blank between two.
+void appendList(std::string& text, std::span<const double> values);
+void appendList(std::string& text, std::span<const std::int64_t> values);
+/// False if the text is not exactly as many such numbers.
+bool parseList(std::string_view text, std::span<double> values);
+bool parseList(std::string_view text, std::span<std::int64_t> values);
+
 /// Eight hexadecimal digits, as for checksums.
 std::string hexText(std::uint32_t value);
 

@@ -43,7 +43,7 @@ Hdf5Output<Dim>::Hdf5Output(Hdf5Parameters parameters, std::shared_ptr<ResultsFi
         series->body = frames.body;
         series->members.push_back({frames.body->particles.find(fields::position.name), 0, nullptr});
         for (FieldBase* field : frameFields(frames)) series->members.push_back({field, 0, nullptr});
-        series->makeGroup(unitText(unit::time, parameters_.units));
+        series->makeGroup(parameters_.units.text(unit::time));
         series_.push_back(std::move(series));
     }
 }
@@ -80,7 +80,7 @@ std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(FieldBase& field, std::size
     if (field.info().rank == Rank::matrix) row_shape = {Dim, Dim};
     auto array = std::make_shared<ChunkedArray>(numberOf(view.type), row_shape,
                                                 chunkRowsFor(particles), true);
-    array->setAttributes({{"unit", unitText(field.info().unit, parameters_.units)},
+    array->setAttributes({{"unit", parameters_.units.text(field.info().unit)},
                           {"description", std::string(field.info().doc)}});
     array->appendChunks(file_->file(), view.bytes);
     return array;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/output.h"
+#include "input/expressions/units.h"
 #include "io/frames/frame_arrays.h"
 #include "io/hdf5/results_file.h"
-#include "io/output/unit_text.h"
 
 #include <memory>
 

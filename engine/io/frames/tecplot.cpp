@@ -68,7 +68,7 @@ TecplotOutput<Dim>::TecplotOutput(TecplotParameters parameters,
         series.fields.insert(series.fields.begin(),
                              frames.body->particles.find(fields::position.name));
         for (FieldBase* field : series.fields) {
-            const std::string unit = unitText(field->info().unit, parameters_.units);
+            const std::string unit = parameters_.units.text(field->info().unit);
             for (const std::string& name : componentNames<Dim>(field->info()))
                 series.variables += " " + quoted(unit.empty() ? name : name + " [" + unit + "]");
         }

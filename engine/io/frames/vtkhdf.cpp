@@ -6,7 +6,6 @@
 #include "io/hdf5/results_file.h"
 
 #include <bit>
-#include <sstream>
 
 namespace sphinx::io {
 
@@ -73,20 +72,14 @@ class VtkHdfOutput<Dim>::Series {
     }
 
     void transfer(Archive& archive) {
-        // A resumed run may write other fields, and an archive cannot be asked what it has.
-        std::string names;
-        for (const Member& member : members_)
-            names += std::string(member.field->info().name) + "\n";
-        archive.value("fields", names);
-        std::istringstream saved(names);
-        for (std::string name; std::getline(saved, name);)
-            for (Member& member : members_)
-                if (member.field->info().name == name) {
-                    auto bits = std::bit_cast<std::int64_t>(member.fingerprint);
-                    archive.value(name, bits);
-                    member.fingerprint = std::bit_cast<std::uint64_t>(bits);
-                    member.fingerprint_known = true;
-                }
+        for (Member& member : members_) {
+            const std::string_view name = member.field->info().name;
+            if (!archive.has(name)) continue;  // a resumed run may write other fields
+            auto bits = std::bit_cast<std::int64_t>(member.fingerprint);
+            archive.value(name, bits);
+            member.fingerprint = std::bit_cast<std::uint64_t>(bits);
+            member.fingerprint_known = true;
+        }
     }
 
  private:
@@ -112,7 +105,7 @@ class VtkHdfOutput<Dim>::Series {
                          : parameters_.single_precision ? Number::float32
                                                         : Number::float64;
             array.components = componentsOf<Dim>(info.rank, FieldLayout::padded);
-            array.attributes = {{"unit", unitText(info.unit, parameters_.units)},
+            array.attributes = {{"unit", parameters_.units.text(info.unit)},
                                 {"description", std::string(info.doc)}};
             arrays.push_back(std::move(array));
         }
@@ -155,16 +148,12 @@ void VtkHdfOutput<Dim>::write(const Clock& clock) {
 template <int Dim>
 void VtkHdfOutput<Dim>::transfer(Archive& archive) {
     archive.value("frames", frames_);
-    std::string names;
-    for (const auto& series : series_) names += series->name() + "\n";
-    archive.value("bodies", names);
-    std::istringstream saved(names);
-    for (std::string name; std::getline(saved, name);)
-        for (auto& series : series_)
-            if (series->name() == name) {
-                const Section section(archive, name);
-                series->transfer(archive);
-            }
+    const Section bodies(archive, "bodies");
+    for (auto& series : series_) {
+        if (!archive.has(series->name())) continue;  // a resumed run may write other bodies
+        const Section section(archive, series->name());
+        series->transfer(archive);
+    }
 }
 
 template <int Dim>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/output.h"
+#include "input/expressions/units.h"
 #include "io/file/provenance.h"
 #include "io/frames/frame_arrays.h"
-#include "io/output/unit_text.h"
 
 #include <memory>
 

@@ -9,7 +9,6 @@
 
 #include <bit>
 #include <cstring>
-#include <sstream>
 
 static_assert(std::endian::native == std::endian::little, "files are written as memory lies");
 
@@ -203,7 +202,7 @@ void VtuOutput<Dim>::writeFrame(Series& series, const Path& path, double time) {
     const std::size_t n = series.body->size();
     const char* number = parameters_.single_precision ? "Float32" : "Float64";
     const auto unit = [&](const FieldBase& field) {
-        return unitText(field.info().unit, parameters_.units);
+        return parameters_.units.text(field.info().unit);
     };
     Header header;
     header.text(
@@ -245,17 +244,12 @@ void VtuOutput<Dim>::writeFrame(Series& series, const Path& path, double time) {
 template <int Dim>
 void VtuOutput<Dim>::transfer(Archive& archive) {
     archive.value("frames", frames_);
-    // A resumed run may write other bodies, and an archive cannot be asked what it has.
-    std::string names;
-    for (const auto& series : series_) names += series->body->name + "\n";
-    archive.value("bodies", names);
-    std::istringstream saved(names);
-    for (std::string name; std::getline(saved, name);)
-        for (auto& series : series_)
-            if (series->body->name == name) {
-                const Section section(archive, name);
-                series->transfer(archive);
-            }
+    const Section bodies(archive, "bodies");
+    for (auto& series : series_) {
+        if (!archive.has(series->body->name)) continue;  // a resumed run may write other bodies
+        const Section section(archive, series->body->name);
+        series->transfer(archive);
+    }
 }
 
 template <int Dim>

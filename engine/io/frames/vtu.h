@@ -3,11 +3,11 @@
 #pragma once
 
 #include "core/output.h"
+#include "input/expressions/units.h"
 #include "io/file/file.h"
 #include "io/file/provenance.h"
 #include "io/frames/frame_arrays.h"
 #include "io/frames/pvd.h"
-#include "io/output/unit_text.h"
 
 #include <memory>
 

@@ -16,7 +16,7 @@
 namespace sphinx::io {
 
 /// Version of the restart format (schemas/restart.xsd, schemas/CHANGES.md).
-inline constexpr std::int64_t restart_format = 1;
+inline constexpr std::int64_t restart_format = 2;
 
 /// What a restart says about itself.
 struct RestartHeader {

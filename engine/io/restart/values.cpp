@@ -6,8 +6,9 @@
 #include "io/file/compress.h"
 #include "io/file/number_text.h"
 
-#include <bit>
 #include <cstring>
+#include <span>
+#include <vector>
 
 namespace sphinx::io {
 namespace {
@@ -17,36 +18,20 @@ constexpr std::size_t longest_piece = 32 * values_in_piece;
 
 std::string decimals(const char* values, std::size_t count, bool integers) {
     std::string text;
-    for (std::size_t k = 0; k < count; ++k) {
-        std::int64_t bits;
-        std::memcpy(&bits, values + 8 * k, 8);
-        if (k > 0) text += ' ';
-        if (integers)
-            appendInteger(text, bits);
-        else
-            appendExactNumber(text, std::bit_cast<double>(bits));
-    }
+    if (integers)
+        appendList(text, {reinterpret_cast<const std::int64_t*>(values), count});
+    else
+        appendList(text, {reinterpret_cast<const double*>(values), count});
     return text;
 }
 
 /// False if the text does not hold exactly as many numbers.
-bool parseDecimals(std::string_view text, bool integers, std::size_t count, std::int64_t* bits) {
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        const std::string_view token = text.substr(0, end);
-        if (integers) {
-            const auto value = parseInteger(token);
-            if (!value) return false;
-            bits[k] = *value;
-        } else {
-            const auto value = parseExactNumber(token);
-            if (!value) return false;
-            bits[k] = std::bit_cast<std::int64_t>(*value);
-        }
-        if (end == text.size()) return k + 1 == count;
-        text.remove_prefix(end + 1);
-    }
-    return false;
+bool parseDecimals(std::string_view text, bool integers, std::span<std::int64_t> bits) {
+    if (integers) return parseList(text, bits);
+    std::vector<double> numbers(bits.size());
+    if (!parseList(text, numbers)) return false;
+    std::memcpy(bits.data(), numbers.data(), 8 * numbers.size());
+    return true;
 }
 
 }  // namespace
@@ -77,7 +62,7 @@ void appendPiece(XmlReader& reader, const XmlElement& element, bool integers,
         const auto stream = decodeBase64(text);
         sound = stream && decompress(*stream, reinterpret_cast<char*>(target), 8 * count);
     } else {
-        sound = parseDecimals(text, integers, count, target);
+        sound = parseDecimals(text, integers, {target, count});
     }
     if (!sound || hexText(checksum({reinterpret_cast<const char*>(target), 8 * count})) != expected)
         reader.fail("these values are damaged");

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/series/rows_output.h"
 
+#include "core/errors.h"
 #include "core/types.h"
-#include "io/output/unit_text.h"
 
 #include <cmath>
 
@@ -53,10 +53,11 @@ class RowsOutput::Rows final : public SeriesSource {
         source_->transfer(archive);
         archive.value("samples", samples_);
         if (samples_ == 0) return;
-        for (std::size_t k = 0; k < sum_.size(); ++k) {
-            archive.value("sum_" + std::to_string(k), sum_[k]);
-            archive.value("duration_" + std::to_string(k), duration_[k]);
-        }
+        const std::size_t width = values_.size();
+        archive.value("sum", sum_);
+        archive.value("duration", duration_);
+        if (sum_.size() != width || duration_.size() != width)
+            throw FileError("the means of an output have another number of values");
     }
 
  private:
@@ -107,7 +108,7 @@ std::unique_ptr<Output> makeRowsOutput(const input::Component& component,
     SeriesParameters series;
     series.folder = context.folder;
     series.name = component.name;
-    series.time_unit = unitText(unit::time, context.units);
+    series.time_unit = context.units.text(unit::time);
     series.hdf5 = context.results;
     return std::make_unique<RowsOutput>(std::move(series), std::move(parameters),
                                         std::move(source));

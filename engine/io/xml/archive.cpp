@@ -7,6 +7,8 @@
 #include "io/file/number_text.h"
 #include "io/xml/text.h"
 
+#include <algorithm>
+#include <span>
 #include <variant>
 
 namespace sphinx::io {
@@ -15,6 +17,33 @@ namespace {
 constexpr std::size_t longest_text = std::size_t{1} << 28;
 
 std::string nameAttribute(std::string_view name) { return "name=\"" + escaped(name) + "\""; }
+
+template <class T>
+void appendArray(std::string& xml, const std::string& element, std::string_view name,
+                 std::span<const T> values) {
+    xml += "<" + element + " " + nameAttribute(name) + " values=\"" +
+           std::to_string(values.size()) + "\">";
+    appendList(xml, values);
+    xml += "</" + element + ">\n";
+}
+
+/// Of the element that was opened last.
+template <class T>
+std::vector<T> readArray(XmlReader& reader, const XmlElement& element, const std::string& name) {
+    const auto count = static_cast<std::size_t>(reader.count(element, "values", longest_text));
+    const std::string text = reader.text(longest_text);
+    // Memory is asked for only when there is text for so many values.
+    std::vector<T> values(std::min(count, text.size()));
+    if (values.size() != count || !parseList(text, values))
+        reader.fail("'" + name + "' does not hold " + std::to_string(count) + " values");
+    return values;
+}
+
+bool readFlag(XmlReader& reader, const std::string& name) {
+    const std::string text = reader.text(10);
+    if (text != "true" && text != "false") reader.fail("'" + name + "' is not true or false");
+    return text == "true";
+}
 
 }  // namespace
 
@@ -52,8 +81,20 @@ void XmlSaveArchive::value(std::string_view name, std::int64_t& v) {
     xml_ += "</integer>\n";
 }
 
+void XmlSaveArchive::value(std::string_view name, bool& v) {
+    xml_ += "<flag " + nameAttribute(name) + (v ? ">true" : ">false") + "</flag>\n";
+}
+
 void XmlSaveArchive::value(std::string_view name, std::string& v) {
     appendTextElement(xml_, "text", nameAttribute(name), v);
+}
+
+void XmlSaveArchive::value(std::string_view name, std::vector<double>& v) {
+    appendArray<double>(xml_, "numbers", name, v);
+}
+
+void XmlSaveArchive::value(std::string_view name, std::vector<std::int64_t>& v) {
+    appendArray<std::int64_t>(xml_, "integers", name, v);
 }
 
 void XmlSaveArchive::enter(std::string_view name) {
@@ -63,7 +104,9 @@ void XmlSaveArchive::enter(std::string_view name) {
 void XmlSaveArchive::leave() { xml_ += "</section>\n"; }
 
 struct XmlLoadArchive::SectionNode {
-    std::map<std::string, std::variant<double, std::int64_t, std::string>, std::less<>> values;
+    using Value = std::variant<double, std::int64_t, bool, std::string, std::vector<double>,
+                               std::vector<std::int64_t>>;
+    std::map<std::string, Value, std::less<>> values;
     std::map<std::string, SectionNode, std::less<>> sections;
 };
 
@@ -92,6 +135,13 @@ void XmlLoadArchive::read(XmlReader& reader, SectionNode& section) {
             const auto integer = parseInteger(reader.text(100));
             if (!integer) reader.fail("'" + name + "' is not a whole number");
             is_new = section.values.emplace(name, *integer).second;
+        } else if (element.name == "flag") {
+            is_new = section.values.emplace(name, readFlag(reader, name)).second;
+        } else if (element.name == "numbers") {
+            is_new = section.values.emplace(name, readArray<double>(reader, element, name)).second;
+        } else if (element.name == "integers") {
+            is_new =
+                section.values.emplace(name, readArray<std::int64_t>(reader, element, name)).second;
         } else if (element.name == "text" || element.name == "binary_text") {
             is_new = section.values.emplace(name, readTextElement(reader, element)).second;
         } else {
@@ -101,15 +151,19 @@ void XmlLoadArchive::read(XmlReader& reader, SectionNode& section) {
     }
 }
 
-template <class T>
-const T& XmlLoadArchive::find(const char* kind, std::string_view name) const {
-    const auto found = open_.back()->values.find(name);
-    const T* value = found == open_.back()->values.end() ? nullptr : std::get_if<T>(&found->second);
-    if (value) return *value;
+void XmlLoadArchive::failMissing(const std::string& kind, std::string_view name) const {
     std::string place;
     for (const std::string& section : names_) place += section + "/";
     throw FileError("cannot read " + path_.string() + ": the state has no " + kind + " '" + place +
                     std::string(name) + "'");
+}
+
+template <class T>
+const T& XmlLoadArchive::find(const char* kind, std::string_view name) const {
+    const auto found = open_.back()->values.find(name);
+    const T* value = found == open_.back()->values.end() ? nullptr : std::get_if<T>(&found->second);
+    if (!value) failMissing(kind, name);
+    return *value;
 }
 
 void XmlLoadArchive::value(std::string_view name, double& v) { v = find<double>("number", name); }
@@ -118,18 +172,27 @@ void XmlLoadArchive::value(std::string_view name, std::int64_t& v) {
     v = find<std::int64_t>("integer", name);
 }
 
+void XmlLoadArchive::value(std::string_view name, bool& v) { v = find<bool>("flag", name); }
+
 void XmlLoadArchive::value(std::string_view name, std::string& v) {
     v = find<std::string>("text", name);
 }
 
+void XmlLoadArchive::value(std::string_view name, std::vector<double>& v) {
+    v = find<std::vector<double>>("numbers", name);
+}
+
+void XmlLoadArchive::value(std::string_view name, std::vector<std::int64_t>& v) {
+    v = find<std::vector<std::int64_t>>("integers", name);
+}
+
+bool XmlLoadArchive::has(std::string_view name) const {
+    return open_.back()->values.contains(name) || open_.back()->sections.contains(name);
+}
+
 void XmlLoadArchive::enter(std::string_view name) {
     const auto found = open_.back()->sections.find(name);
-    if (found == open_.back()->sections.end()) {
-        std::string place;
-        for (const std::string& section : names_) place += section + "/";
-        throw FileError("cannot read " + path_.string() + ": the state has no section '" + place +
-                        std::string(name) + "'");
-    }
+    if (found == open_.back()->sections.end()) failMissing("section", name);
     open_.push_back(&found->second);
     names_.emplace_back(name);
 }

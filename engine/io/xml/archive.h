@@ -13,14 +13,19 @@
 
 namespace sphinx::io {
 
-/// Collects small state as XML elements: <section name="loop"><number name="time">1.5</number>...
-/// Doubles keep every bit (appendExactNumber).
+/// Collects small state as XML elements: <section name="loop"><number name="time">1.5</number>...,
+/// arrays as <numbers name="offset" values="2">0 0.25</numbers>. Doubles keep every bit
+/// (appendExactNumber).
 class XmlSaveArchive final : public Archive {
  public:
     bool loading() const override { return false; }
     void value(std::string_view name, double& v) override;
     void value(std::string_view name, std::int64_t& v) override;
+    void value(std::string_view name, bool& v) override;
     void value(std::string_view name, std::string& v) override;
+    void value(std::string_view name, std::vector<double>& v) override;
+    void value(std::string_view name, std::vector<std::int64_t>& v) override;
+    bool has(std::string_view) const override { return true; }
     void enter(std::string_view name) override;
     void leave() override;
 
@@ -41,7 +46,11 @@ class XmlLoadArchive final : public Archive {
     bool loading() const override { return true; }
     void value(std::string_view name, double& v) override;
     void value(std::string_view name, std::int64_t& v) override;
+    void value(std::string_view name, bool& v) override;
     void value(std::string_view name, std::string& v) override;
+    void value(std::string_view name, std::vector<double>& v) override;
+    void value(std::string_view name, std::vector<std::int64_t>& v) override;
+    bool has(std::string_view name) const override;
     void enter(std::string_view name) override;
     void leave() override;
 
@@ -49,6 +58,7 @@ class XmlLoadArchive final : public Archive {
     struct SectionNode;
 
     void read(XmlReader& reader, SectionNode& section);
+    [[noreturn]] void failMissing(const std::string& kind, std::string_view name) const;
     template <class T>
     const T& find(const char* kind, std::string_view name) const;
 

@@ -151,9 +151,9 @@ void LayerRun::substep(double dt, double end) {
 void LayerRun::endWindows() {
     for (Line& line : lines_) {
         auto* call = std::get_if<CallRun>(&line);
-        if (!call || call->to_rest == 0 || call->call->window.holds(begin_)) continue;
+        if (!call || !call->to_rest || call->call->window.holds(begin_)) continue;
         call->call->method->rest();
-        call->to_rest = 0;
+        call->to_rest = false;
     }
 }
 
@@ -174,7 +174,7 @@ void LayerRun::run(CallRun& line) {
         line.call->act(clock_);
     }
     line.tally.particles += static_cast<double>(line.call->method->workSize());
-    if (line.call->window.until) line.to_rest = 1;
+    if (line.call->window.until) line.to_rest = true;
 }
 
 void LayerRun::transfer(Archive& archive) {

@@ -24,7 +24,7 @@ class LayerRun {
         std::optional<Multiples> every;
         const LayerRun* counting = nullptr;  ///< whose steps `every` counts
         bool under_way = false;  ///< the counting layer is in a substep when the call's turn comes
-        std::int64_t to_rest = 0;  ///< 1: it has acted in its window, whose end is to come
+        bool to_rest = false;    ///< it has acted in its window, whose end is to come
         Tally tally;
     };
     using Line = std::variant<CallRun, std::unique_ptr<LayerRun>>;

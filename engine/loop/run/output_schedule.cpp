@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "loop/run/output_schedule.h"
 
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -112,17 +111,11 @@ void OutputSchedule::finish() {
 
 void OutputSchedule::transfer(Archive& archive) {
     const Section section(archive, "outputs");
-    // An archive cannot be asked what it has, so it says it itself.
-    std::string names;
-    for (const EntryRun& run : entries_) names += run.entry.name + "\n";
-    archive.value("names", names);
     // What is not saved, or not under the same trigger, goes on from the present time.
     if (archive.loading())
         for (EntryRun& run : entries_) startTrigger(run);
-    std::istringstream saved(names);
-    for (std::string name; std::getline(saved, name);)
-        for (EntryRun& run : entries_)
-            if (run.entry.name == name) transferEntry(archive, run);
+    for (EntryRun& run : entries_)
+        if (archive.has(run.entry.name)) transferEntry(archive, run);
 }
 
 void OutputSchedule::transferEntry(Archive& archive, EntryRun& run) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "../memory_archive.h"
 #include "dynamics/fluid/pressure_relaxation.h"
 #include "dynamics/fluid/viscous_force.h"
 #include "dynamics/fsi/average_kinematics.h"
@@ -11,7 +12,6 @@
 
 #include <cmath>
 #include <functional>
-#include <map>
 #include <random>
 #include <string>
 
@@ -82,28 +82,6 @@ struct Meeting {
     Context<Dim> context{world, relations};
     Body<Dim>* fluid;
     Body<Dim>* solid;
-};
-
-/// Values by their name.
-struct Memory final : Archive {
-    bool is_loading = false;
-    std::map<std::string, double, std::less<>> numbers;
-    std::map<std::string, std::int64_t, std::less<>> integers;
-
-    bool loading() const override { return is_loading; }
-    void value(std::string_view name, double& v) override { keep(numbers, name, v); }
-    void value(std::string_view name, std::int64_t& v) override { keep(integers, name, v); }
-    void value(std::string_view, std::string&) override { FAIL("no text is expected"); }
-    void enter(std::string_view) override {}
-    void leave() override {}
-
-    template <class T>
-    void keep(std::map<std::string, T, std::less<>>& all, std::string_view name, T& v) {
-        if (is_loading)
-            v = all.at(std::string(name));
-        else
-            all.emplace(name, v);
-    }
 };
 
 template <int Dim>
@@ -178,7 +156,7 @@ TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
     Viscous same_second(resumed, *meeting.fluid, WallSlip::no_slip, ViscousForm::laplacian);
     const auto resume = [&] {
         for (const auto& [from, to] : {std::pair{&first, &same_first}, {&second, &same_second}}) {
-            Memory memory;
+            test::MemoryArchive memory;
             from->transfer(memory);
             memory.is_loading = true;
             to->transfer(memory);

@@ -3,7 +3,6 @@
 #include "io/file/base64.h"
 #include "io/file/compress.h"
 #include "io/file/number_text.h"
-#include "io/output/unit_text.h"
 #include "io/xml/text.h"
 
 #include <bit>
@@ -96,15 +95,4 @@ TEST_CASE("XML text") {
          {std::string("\0", 1), std::string("\x1b"), std::string("\xff"), std::string("\xc3"),
           std::string("\xc0\x80"), std::string("\xed\xa0\x80"), std::string("\xef\xbf\xbf")})
         CHECK_FALSE(isXmlText(wrong));
-}
-
-TEST_CASE("units in headers") {
-    const input::UnitSystem si;
-    CHECK(unitText(unit::pressure, si) == "Pa");
-    CHECK(unitText(unit::velocity, si) == "m/s");
-    CHECK(unitText(unit::none, si).empty());
-    const input::UnitSystem small{false, "mm", "ms", "mg"};
-    CHECK(unitText(unit::density, small) == "mg/mm^3");
-    const input::UnitSystem none{true, "m", "s", "kg"};
-    CHECK(unitText(unit::pressure, none).empty());
 }

@@ -41,20 +41,37 @@ void setOddValues(Body<Dim>& body) {
         numbers[k] = std::bit_cast<double>(odd_bits[k]);
 }
 
+std::vector<double> oddNumbers() {
+    std::vector<double> numbers;
+    for (const std::uint64_t bits : odd_bits) numbers.push_back(std::bit_cast<double>(bits));
+    return numbers;
+}
+
 struct State {
     double number = std::bit_cast<double>(std::uint64_t{0xfff8000000000123});
     std::int64_t integer = INT64_MIN;
     std::string text = "a <b> & \"c\"\n\td\r";
     std::string binary = std::string("\0\1\xff\xc0", 4);
     double inner = -0.0;
+    bool flag = true;
+    std::vector<double> numbers = oddNumbers();
+    std::vector<std::int64_t> integers{INT64_MIN, 0, INT64_MAX};
+    std::vector<double> nothing;
 
     void transfer(Archive& archive) {
+        CHECK(archive.has("number"));
+        CHECK(archive.has("inside \"&<\""));
+        CHECK(archive.has("nobody") != archive.loading());
         archive.value("number", number);
         archive.value("integer", integer);
         Section section(archive, "inside \"&<\"");
         archive.value("text", text);
         archive.value("binary", binary);
         archive.value("number", inner);
+        archive.value("flag", flag);
+        archive.value("numbers", numbers);
+        archive.value("integers", integers);
+        archive.value("nothing", nothing);
     }
 };
 
@@ -100,7 +117,7 @@ struct Written {
             path, header, [&](Archive& a) { state.transfer(a); }, {{body.get(), names}}, encoding);
     }
     void read(Body<2>& target) {
-        State loaded{0, 0, "", "", 0};
+        State loaded{0, 0, "", "", 0, false, {}, {}, {1}};
         readRestart<2>(path, [&](Archive& a) { loaded.transfer(a); }, {{&target, names}});
         CHECK(std::bit_cast<std::uint64_t>(loaded.number) ==
               std::bit_cast<std::uint64_t>(state.number));
@@ -108,6 +125,11 @@ struct Written {
         CHECK(loaded.text == state.text);
         CHECK(loaded.binary == state.binary);
         CHECK(std::signbit(loaded.inner));
+        CHECK(loaded.flag);
+        REQUIRE(loaded.numbers.size() == odd_bits.size());
+        CHECK(std::memcmp(loaded.numbers.data(), odd_bits.data(), 8 * odd_bits.size()) == 0);
+        CHECK(loaded.integers == state.integers);
+        CHECK(loaded.nothing.empty());
     }
     std::string content() const { return readFile(path, 1 << 26); }
     /// The file with other content and a checksum that fits.
@@ -214,7 +236,7 @@ TEST_CASE("a restart with a right checksum but wrong content is refused with its
         return written.problem();
     };
     const auto has = [](const std::string& part) { return Catch::Contains(part); };
-    CHECK_THAT(problem("format=\"1\"", "format=\"2\""), has("it has format 2"));
+    CHECK_THAT(problem("format=\"2\"", "format=\"3\""), has("it has format 3"));
     CHECK_THAT(problem("dimension=\"2\"", "dimension=\"3\""), has("dimension 3"));
     CHECK_THAT(problem("<state>", "<stage>"), has("the state is missing"));
     CHECK_THAT(problem("steps=\"100\"", "steps=\"-1\""), has("'steps'"));
@@ -235,6 +257,10 @@ TEST_CASE("a restart with a right checksum but wrong content is refused with its
     CHECK_THAT(problem("<text values", "<zlib values"), has("is missing"));
     CHECK_THAT(problem("<integer name=\"integer\">", "<integer name=\"whole\">"),
                has("the state has no integer 'integer'"));
+    CHECK_THAT(problem(">true</flag>", ">yes</flag>"), has("'flag' is not true or false"));
+    CHECK_THAT(problem("values=\"3\"", "values=\"4\""), has("does not hold 4 values"));
+    CHECK_THAT(problem("values=\"3\"", "values=\"2\""), has("does not hold 2 values"));
+    CHECK_THAT(problem("values=\"3\"", "values=\"200000000\""), has("does not hold"));
     CHECK_THAT(problem("<body", "<!-- x --><body"), has("a name is missing"));
     CHECK_THAT(problem("</body>", "</body><x/>"), has("unknown element 'x'"));
     std::string deep;

@@ -126,6 +126,12 @@ void writeRestarts(const Path& folder) {
         archive.value("steps", steps);
         archive.value("text", text);
         archive.value("binary", binary);
+        bool flag = false;
+        std::vector<double> offsets{0.1, -nan_value, -1e300 * 1e300};
+        std::vector<std::int64_t> ids{3, -4};
+        archive.value("flag", flag);
+        archive.value("offsets", offsets);
+        archive.value("ids", ids);
     };
     RestartHeader header;
     header.program = "1.2.3";

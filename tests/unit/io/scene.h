@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "../memory_archive.h"
 #include "io/output/output_factory.h"
 #include "io/series/series.h"
 #include "materials/weakly_compressible_fluid.h"
 #include "support.h"
 
-#include <map>
 #include <utility>
 
 namespace sphinx::test {
@@ -110,35 +110,5 @@ inline std::vector<double> rowOf(io::SeriesSource& source) {
     source.sample(Clock{}, row);
     return row;
 }
-
-/// Keeps values by their path and gives them back.
-class MemoryArchive final : public Archive {
- public:
-    bool is_loading = false;
-
-    bool loading() const override { return is_loading; }
-    void value(std::string_view name, double& v) override { keep(numbers_, name, v); }
-    void value(std::string_view name, std::int64_t& v) override { keep(integers_, name, v); }
-    void value(std::string_view name, std::string& v) override { keep(texts_, name, v); }
-    void enter(std::string_view name) override { path_.emplace_back(name); }
-    void leave() override { path_.pop_back(); }
-
- private:
-    template <class T>
-    void keep(std::map<std::string, T>& all, std::string_view name, T& v) {
-        std::string key;
-        for (const std::string& part : path_) key += part + "/";
-        key += name;
-        if (is_loading)
-            v = all.at(key);
-        else if (!all.emplace(key, v).second)
-            throw std::logic_error("saved twice: " + key);
-    }
-
-    std::vector<std::string> path_;
-    std::map<std::string, double> numbers_;
-    std::map<std::string, std::int64_t> integers_;
-    std::map<std::string, std::string> texts_;
-};
 
 }  // namespace sphinx::test

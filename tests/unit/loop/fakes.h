@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/archive.h"
-#include "core/errors.h"
+#include "../memory_archive.h"
 #include "loop/plan/plan.h"
 
 #include <functional>
-#include <map>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace sphinx::loop::fake {
@@ -94,52 +91,8 @@ class RecordingOutput : public Output {
     std::int64_t frames_ = 0;
 };
 
-/// Values by their path.
-using Saved = std::map<std::string, std::variant<double, std::int64_t, std::string>>;
-
-class MemoryArchive : public Archive {
- public:
-    MemoryArchive() = default;                                                // saves
-    explicit MemoryArchive(Saved s) : saved(std::move(s)), loading_(true) {}  // loads
-
-    bool loading() const override { return loading_; }
-    void value(std::string_view name, double& v) override { transfer(name, v); }
-    void value(std::string_view name, std::int64_t& v) override { transfer(name, v); }
-    void value(std::string_view name, std::string& v) override { transfer(name, v); }
-    void enter(std::string_view name) override {
-        path_.push_back(std::string(name) + "/");
-        if (!loading_) return;
-        const auto first = saved.lower_bound(path(""));
-        if (first == saved.end() || first->first.rfind(path(""), 0) != 0) {
-            path_.pop_back();
-            throw FileError("no section " + std::string(name));
-        }
-    }
-    void leave() override { path_.pop_back(); }
-
-    Saved saved;
-
- private:
-    std::string path(std::string_view name) const {
-        std::string whole;
-        for (const std::string& part : path_) whole += part;
-        return whole + std::string(name);
-    }
-    template <class T>
-    void transfer(std::string_view name, T& v) {
-        const std::string key = path(name);
-        if (loading_) {
-            const auto found = saved.find(key);
-            if (found == saved.end()) throw FileError("no value " + key);
-            v = std::get<T>(found->second);
-        } else if (!saved.emplace(key, v).second) {
-            throw FileError("written twice: " + key);
-        }
-    }
-
-    bool loading_ = false;
-    std::vector<std::string> path_;
-};
+using test::MemoryArchive;
+using test::Saved;
 
 inline Step call(std::string label, Method& method, ActionCall action = runOf) {
     return {Call{std::move(label), &method, action, {}}};

@@ -129,11 +129,18 @@ TEST_CASE("a resumed run knows the particles of a point of the material") {
         CHECK((weights.position(0) - Vec<2>(1, 0.5)).norm() < 1e-14);
     }
     SECTION("a damaged state is refused") {
-        std::string text = "AAAA";
-        MemoryArchive damaged;
-        damaged.value("attachment", text);
-        damaged.is_loading = true;
-        CHECK_THROWS_AS(resumed.weights.transfer(damaged), FileError);
+        using Integers = std::vector<std::int64_t>;
+        const auto refused = [&](const std::string& name, auto change) {
+            MemoryArchive damaged(archive.saved);
+            change(std::get<Integers>(damaged.saved.at(name)));
+            CHECK_THROWS_AS(resumed.weights.transfer(damaged), FileError);
+        };
+        refused("id", [](Integers& values) { values.pop_back(); });
+        refused("body", [](Integers& values) { values.back() = 1; });
+        refused("body", [](Integers& values) { values.back() = -1; });
+        refused("anchors", [](Integers& values) { ++values.back(); });
+        refused("anchors", [](Integers& values) { values.back() = -1; });
+        refused("anchors", [](Integers& values) { values.push_back(0); });
     }
 }
 
