@@ -31,8 +31,8 @@ GENERATED = {
     "generated_long_dependency": lambda: "variables:\n  a0: 1\n"
     + "".join(f"  a{k}: a{k - 1} + 1\n" for k in range(1, 2000)),
     "generated_bytes": lambda: bytes(range(32, 256)),
-    "generated_utf_16": lambda: "sphinx: 1\n".encode("utf-16-le"),
-    "generated_null_byte": lambda: "sphinx: 1\n\0\ntitle: none\n",
+    "generated_utf_16": lambda: "sphinx: 2\n".encode("utf-16-le"),
+    "generated_null_byte": lambda: "sphinx: 2\n\0\ntitle: none\n",
 }
 
 

@@ -31,6 +31,14 @@ class ChangedCase(Promise):
         self.assert_same_physics(last_restart(self.output), last_restart(whole))
         results.check_readable(self.output)
 
+    def test_version_of_the_language_is_free_where_it_leaves_the_state(self):
+        whole = self.folder / "whole"
+        self.sphinx(self.case_file, whole)
+        self.case("splash_2d", sphinx=1)
+        said = self.sphinx(self.case_file, self.output, "--resume")
+        self.assertIn("since version 2 of the language", said)
+        self.assert_same_physics(last_restart(self.output), last_restart(whole))
+
     def test_other_physics_is_refused(self):
         changes = {
             "variables.spacing=0.04": "spacing: 0.04",

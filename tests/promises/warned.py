@@ -44,6 +44,14 @@ class Warned(Promise):
             self.assertRegex(said, r"(?m)^\S+:\d+:3: warning: wall is only 2 layers of particles "
                                    r"thick, .*\n    wall:\n    \^\n(?!\n)")
 
+    def test_changes_of_the_language(self):
+        listed = (support.REPOSITORY / "schemas/CHANGES.md").read_text()
+        said = self.check("--set", "sphinx=1").stderr
+        changes = re.findall(r"warning: since version \d+ of the language (.*); 'sphinx: \d+'", said)
+        self.assertTrue(changes)
+        for change in changes:
+            self.assertIn(change, listed)
+
     def test_nothing_to_warn_of(self):
         for said in self.run_with("--set", "loop.end_time=0.1"):
             self.assertNotIn("warning", said)

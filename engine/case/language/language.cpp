@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "case/language/changes.h"
 #include "case/language/read.h"
 #include "case/language/types.h"
 #include "input/declaration/reader.h"
@@ -242,7 +243,8 @@ void declareCase(Registry& registry) {
     using P = CaseBlock;
     auto& d = registry.declare<P>(Kind::block, "case");
     d.summary("A case: what is simulated, and how");
-    d.required("sphinx", &P::version, integer().atLeast(1).atMost(1), "version of the language");
+    d.required("sphinx", &P::version, integer().atLeast(1).atMost(language_version),
+               "version of the language");
     d.optional("title", &P::title, text(), "for people");
     // The order matters from here: these are needed to read what follows.
     d.required("dimension", &P::dimension,

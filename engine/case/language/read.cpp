@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/language/read.h"
 
+#include "case/language/changes.h"
 #include "case/language/phases.h"
 #include "core/read_file.h"
+#include "input/expressions/decimal.h"
 #include "input/tree/load.h"
 #include "io/file/compress.h"
 
@@ -33,8 +35,21 @@ std::string contentText(const std::string& path) {
                        io::fingerprint(content));
 }
 
+/// What a newer language has may look wrong in many places; the cause is one.
+void requireKnownVersion(const Node& root, Diagnostics& diagnostics) {
+    const Node* node = root.find("sphinx");
+    const auto version = node ? parseDecimal<int>(node->text) : std::nullopt;
+    if (!version || *version <= language_version) return;
+    diagnostics.error(node->place,
+                      fmt::format("the case is written in version {} of the language, and this "
+                                  "program knows versions 1 to {}; a newer program is needed",
+                                  *version, language_version));
+    diagnostics.throwIfErrors();
+}
+
 Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnostics) {
     diagnostics.throwIfErrors();
+    requireKnownVersion(root, diagnostics);
     Reader reader(diagnostics, registry);
     reader.label = "the case";
     if (const Node* dynamics = root.find("dynamics"))
@@ -52,10 +67,15 @@ Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnost
     diagnostics.throwIfErrors();
 
     warnUnused(block, reader);
+    warnChanges(model, block.version, languageChanges(), diagnostics);
+    model.state_version = stateVersion(model, languageChanges());
     model.warnings = diagnostics.text();
     for (const std::string& path : reader.files) model.files[path] = contentText(path);
     block.variables = reader.scope.usedByFields();
     model.resolved = writeStructure(declaration, &block, &root);
+    // What is resolved means what this version says, whichever the case was written in.
+    if (block.version != language_version)
+        model.resolved.set("sphinx", Node::integer(language_version));
     return model;
 }
 

@@ -159,8 +159,9 @@ struct Case {
     Loop loop;
     std::vector<Output> outputs;
 
-    input::Node resolved;              ///< every value with its origin: what `show` prints
-    std::string warnings;              ///< ready to print; empty when there are none
+    int state_version = 1;  ///< of the language, since which the case means the same state
+    input::Node resolved;   ///< every value with its origin: what `show` prints
+    std::string warnings;   ///< ready to print; empty when there are none
     std::vector<std::string> sources;  ///< the case file and those that it includes
     /// Of the files that values name, by absolute path: their name and what tells their content.
     std::map<std::string, std::string> files;

@@ -51,6 +51,8 @@ std::string physicsText(const Case& model) {
     input::Node resolved = model.resolved;
     // Of the variables only those are left that expressions of place and time use.
     for (const char* key : {"title", "outputs", "include"}) drop(resolved, key);
+    // A restart outlives versions of the language that leave the state as it is.
+    resolved.set("sphinx", input::Node::integer(model.state_version));
     if (input::Node* loop = resolved.find("loop")) drop(*loop, "end_time");
     dropObservers(resolved, model);
     replaceFiles(resolved, model.files);

@@ -24,7 +24,7 @@ const input::Registry& registry() {
     return *all;
 }
 
-const char* const dam_break = R"yaml(sphinx: 1
+const char* const dam_break = R"yaml(sphinx: 2
 title: dam break
 dimension: 2
 units: {length: mm, time: ms, mass: mg}
@@ -186,7 +186,7 @@ TEST_CASE("Shapes of one dimension are refused in the other") {
 }
 
 TEST_CASE("A 3D case") {
-    const model::Case c = read(R"yaml(sphinx: 1
+    const model::Case c = read(R"yaml(sphinx: 2
 dimension: 3
 resolution: {spacing: 0.1}
 geometry:

@@ -74,7 +74,7 @@ TEST_CASE("a results folder is never overwritten silently") {
                       Catch::Contains("is not a folder of results"));
     OutputFolder(path, ExistingResults::keep);
     CHECK(std::filesystem::exists(path / "notes"));
-    File::create(path / resolved_case_name).write("sphinx: 1");
+    File::create(path / resolved_case_name).write("sphinx: 2");
     OutputFolder(path, ExistingResults::replace);
     CHECK(std::filesystem::is_empty(path));
 }
