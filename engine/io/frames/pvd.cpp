@@ -5,7 +5,6 @@
 #include "core/errors.h"
 #include "core/read_file.h"
 #include "io/file/number_text.h"
-#include "io/xml/text.h"
 
 #include <tinyxml2.h>
 
@@ -18,21 +17,33 @@ constexpr std::uint64_t size_limit = std::uint64_t{1} << 30;
 
 void writePvd(const Path& path, const std::vector<PvdEntry>& entries,
               const Provenance& provenance) {
-    std::string text =
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-        "  <Provenance>\n";
-    for (const auto& [name, value] : provenance.entries)
-        text += "    <Entry name=\"" + escaped(name) + "\" value=\"" + escaped(value) + "\"/>\n";
-    text += "  </Provenance>\n  <Collection>\n";
-    for (const PvdEntry& entry : entries) {
-        text += "    <DataSet timestep=\"";
-        appendNumber(text, entry.time);
-        text += "\" frame=\"" + std::to_string(entry.frame) + "\" group=\"\" part=\"0\" file=\"" +
-                escaped(entry.file) + "\"/>\n";
+    tinyxml2::XMLPrinter xml;
+    xml.PushHeader(false, true);
+    xml.OpenElement("VTKFile");
+    xml.PushAttribute("type", "Collection");
+    xml.PushAttribute("version", "1.0");
+    xml.PushAttribute("byte_order", "LittleEndian");
+    xml.OpenElement("Provenance");
+    for (const auto& [name, value] : provenance.entries) {
+        xml.OpenElement("Entry");
+        xml.PushAttribute("name", name.c_str());
+        xml.PushAttribute("value", value.c_str());
+        xml.CloseElement();
     }
-    text += "  </Collection>\n</VTKFile>\n";
-    writeFileAtomically(path, text);
+    xml.CloseElement();
+    xml.OpenElement("Collection");
+    for (const PvdEntry& entry : entries) {
+        xml.OpenElement("DataSet");
+        xml.PushAttribute("timestep", numberText(entry.time).c_str());
+        xml.PushAttribute("frame", std::to_string(entry.frame).c_str());
+        xml.PushAttribute("group", "");
+        xml.PushAttribute("part", "0");
+        xml.PushAttribute("file", entry.file.c_str());
+        xml.CloseElement();
+    }
+    xml.CloseElement();
+    xml.CloseElement();
+    writeFileAtomically(path, xml.CStr());
 }
 
 std::vector<PvdEntry> readPvd(const Path& path) {

@@ -20,8 +20,10 @@ struct XmlElement {
 /// Reads XML from a file piece by piece, never as a tree: memory is a buffer and what the caller
 /// asks for. It knows the part of XML that this program writes: elements, attributes, text,
 /// entities and an XML declaration; no comments, no document types, nothing external.
-/// (tinyxml2 reads whole documents into memory only, and a restart may be larger than that.)
 /// Anything else is a FileError that names the file and the byte.
+/// tinyxml2 holds whole documents in memory, and a restart may be larger than that. Its header and
+/// state would fit, but stand in one document with the values; so this reader, and text.h, serve
+/// restarts and the frames of vtu, and tinyxml2 what is small by itself (frames/pvd.cpp).
 class XmlReader {
  public:
     explicit XmlReader(const Path& path);
