@@ -198,9 +198,9 @@ class NameCheck {
         if (reference.traits.empty() || !material->declaration ||
             intersects(material->declaration->traits(), reference.traits))
             return;
-        report(reference.name.place, reference.label + " is '" + reference.name.text + "', a " +
-                                         material->declaration->name() + ", but must be " +
-                                         alternatives(reference.traits));
+        report(reference.name.place, reference.label + " is '" + reference.name.text + "', " +
+                                         withArticle(material->declaration->name()) +
+                                         ", but must be " + alternatives(reference.traits));
     }
 
     void checkMethod(const Reference& reference) {
@@ -211,8 +211,8 @@ class NameCheck {
         for (const Component& one : block_.dynamics)
             if (one.declaration && one.declaration->isTimeStep()) fitting.push_back(one.name);
         report(reference.name.place,
-               reference.label + " is '" + reference.name.text + "', a " +
-                   method->declaration->name() + ", but must be a time-step method" +
+               reference.label + " is '" + reference.name.text + "', " +
+                   withArticle(method->declaration->name()) + ", but must be a time-step method" +
                    (fitting.empty() ? "; the case defines none" : ": " + alternatives(fitting)));
     }
 

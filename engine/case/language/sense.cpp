@@ -134,11 +134,11 @@ class SenseCheck {
                                            body.text, contact.body.text));
         if (contact.bonded && (one != BodyKind::solid || other != BodyKind::solid))
             diagnostics_.error(contact.body.place,
-                               fmt::format("only solids are bonded to each other: {} is a {}",
+                               fmt::format("only solids are bonded to each other: {} is {}",
                                            one != BodyKind::solid ? body.text : contact.body.text,
                                            (one != BodyKind::solid ? one : other) == BodyKind::fluid
-                                               ? "fluid"
-                                               : "observer"));
+                                               ? "a fluid"
+                                               : "an observer"));
     }
     /// Methods act on what topology lets a body see.
     void checkSight(const Component& method) {

@@ -12,7 +12,7 @@ namespace sphinx::input {
 namespace {
 
 std::string defaultText(const Node& node) {
-    if (node.isScalar()) return node.text;
+    if (node.isScalar()) return node.text.empty() ? "''" : node.text;
     std::string text;
     if (node.isList()) {
         for (const Node& item : node.items) text += (text.empty() ? "" : ", ") + defaultText(item);

@@ -72,4 +72,9 @@ std::string alternatives(const std::vector<std::string>& words) {
     return text;
 }
 
+std::string withArticle(const std::string& words) {
+    const bool vowel = words.find_first_of("aeio") == 0;
+    return (vowel ? "an " : "a ") + words;
+}
+
 }  // namespace sphinx::input

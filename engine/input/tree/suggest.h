@@ -24,6 +24,8 @@ std::string didYouMean(std::string_view wrong, const std::vector<std::string>& k
 
 /// "a, b or c"
 std::string alternatives(const std::vector<std::string>& words);
+/// "a wall", "an elastic body"; words that begin with u as in "unit" or "user".
+std::string withArticle(const std::string& words);
 /// "a map; its keys: a, b, c"
 std::string mapOfKeys(const std::vector<std::string>& keys);
 /// "a, b, c"

@@ -44,8 +44,8 @@ class ReferenceType final : public TypeBase {
     }
     Node schema(SchemaBuilder&) const override { return schemaType("string"); }
     std::string text() const override {
-        return "name of a " + (traits_.empty() ? "" : alternatives(traits_) + " ") +
-               targetName(target_);
+        const std::string kind = traits_.empty() ? "" : alternatives(traits_) + " ";
+        return "name of " + withArticle(kind + targetName(target_));
     }
     void names(const void* value, std::vector<Name>& names) const override {
         const auto& name = *static_cast<const Name*>(value);

@@ -26,6 +26,8 @@ TEST_CASE("A suggestion is near, else all names are listed") {
     CHECK(didYouMean("sort", {"particles.sort"}) == "; did you mean 'particles.sort'?");
     CHECK(didYouMean("sort", {}).empty());
     CHECK(alternatives({"a", "b", "c"}) == "a, b or c");
+    CHECK(withArticle("elastic body") == "an elastic body");
+    CHECK(withArticle("unit") == "a unit");
 }
 
 TEST_CASE("Decimal numbers are read strictly") {
