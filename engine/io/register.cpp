@@ -3,11 +3,12 @@
 #include "io/register.h"
 
 #include "io/frames/body_selection.h"
-#include "io/frames/hdf5_output.h"
+#include "io/frames/hdf5.h"
 #include "io/frames/tecplot.h"
 #include "io/frames/vtkhdf.h"
 #include "io/frames/vtu.h"
 #include "io/output/progress.h"
+#include "io/restart/output.h"
 
 namespace sphinx::io {
 namespace {

@@ -3,8 +3,6 @@
 #pragma once
 
 #include "input/declaration/registry.h"
-#include "io/output/output_factory.h"
-#include "io/restart/restart.h"
 
 namespace sphinx::io {
 
@@ -12,10 +10,5 @@ namespace sphinx::io {
 /// builders are OutputFactory, but `restart` has none: it needs the whole simulation and is built
 /// by case/ from these parameters.
 void registerOutputs(input::Registry& registry);
-
-struct RestartSettings {
-    int keep = 2;
-    RestartEncoding encoding = RestartEncoding::zlib;
-};
 
 }  // namespace sphinx::io

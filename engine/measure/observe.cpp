@@ -3,8 +3,8 @@
 #include "measure/observe.h"
 
 #include "io/file/compress.h"
+#include "io/series/columns.h"
 #include "io/series/rows_output.h"
-#include "io/series/series_columns.h"
 #include "measure/observe_elevation.h"
 #include "measure/observe_material.h"
 

@@ -3,7 +3,7 @@
 #include "measure/observe_elevation.h"
 
 #include "core/parallel.h"
-#include "io/series/series_columns.h"
+#include "io/series/columns.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "io/output/output_factory.h"
+#include "io/output/factory.h"
 #include "io/series/series.h"
 
 namespace sphinx::io {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/reduce_force.h"
 
-#include "io/series/series_columns.h"
+#include "io/series/columns.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "dynamics/fluid/solid_load.h"
-#include "io/output/output_factory.h"
+#include "io/output/factory.h"
+#include "io/series/quantity.h"
 #include "io/series/series.h"
-#include "io/series/series_quantity.h"
 
 #include <deque>
 #include <optional>

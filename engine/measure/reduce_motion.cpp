@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 #include "dynamics/solid/internal_energy.h"
-#include "io/series/series_columns.h"
+#include "io/series/columns.h"
 #include "materials/fluid_laws.h"
 #include "measure/reduce.h"
 

@@ -3,7 +3,7 @@
 #include "measure/reduce_reaction.h"
 
 #include "dynamics/constraint/support.h"
-#include "io/series/series_columns.h"
+#include "io/series/columns.h"
 #include "measure/reduce.h"
 
 namespace sphinx::io {

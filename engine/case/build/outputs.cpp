@@ -4,8 +4,7 @@
 
 #include "case/build/derived_output.h"
 #include "case/build/loop.h"
-#include "io/output/output_factory.h"
-#include "io/register.h"
+#include "io/output/factory.h"
 #include "io/restart/output.h"
 
 #include <fmt/format.h>
@@ -18,8 +17,7 @@ namespace {
 template <int Dim>
 std::unique_ptr<sphinx::Output> makeRestart(const OutputTools<Dim>& tools,
                                             const io::RestartSettings& settings) {
-    io::RestartParameters parameters{tools.folder / "restart", settings.keep, settings.encoding,
-                                     tools.restart_header};
+    io::RestartParameters parameters{settings, tools.folder / "restart", tools.restart_header};
     return std::make_unique<io::RestartOutput<Dim>>(parameters, tools.restart_bodies, tools.state);
 }
 

@@ -18,7 +18,7 @@
 #include "core/log.h"
 #include "core/parallel.h"
 #include "io/file/compress.h"
-#include "io/file/output_folder.h"
+#include "io/output/folder.h"
 #include "io/output/progress.h"
 #include "loop/run/runner.h"
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "input/types/type.h"
-#include "io/frames/frame_arrays.h"
-#include "io/output/output_factory.h"
+#include "io/frames/arrays.h"
+#include "io/output/factory.h"
 
 #include <optional>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "core/output.h"
 #include "input/expressions/units.h"
 #include "io/file/provenance.h"
-#include "io/frames/frame_arrays.h"
+#include "io/frames/arrays.h"
 
 namespace sphinx::io {
 

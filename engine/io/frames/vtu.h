@@ -6,7 +6,7 @@
 #include "input/expressions/units.h"
 #include "io/file/file.h"
 #include "io/file/provenance.h"
-#include "io/frames/frame_arrays.h"
+#include "io/frames/arrays.h"
 #include "io/frames/pvd.h"
 
 #include <memory>

@@ -7,10 +7,14 @@
 
 namespace sphinx::io {
 
-struct RestartParameters {
-    Path folder;   ///< made at the first write
+/// What a case says of its restarts.
+struct RestartSettings {
     int keep = 2;  ///< newest files that stay; at least 1
     RestartEncoding encoding = RestartEncoding::zlib;
+};
+
+struct RestartParameters : RestartSettings {
+    Path folder;           ///< made at the first write
     RestartHeader header;  ///< time and steps are filled in
 };
 

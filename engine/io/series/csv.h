@@ -4,7 +4,7 @@
 
 #include "core/clock.h"
 #include "io/file/file.h"
-#include "io/series/series_quantity.h"
+#include "io/series/quantity.h"
 
 #include <optional>
 #include <span>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "input/declaration/registry.h"
-#include "io/output/output_factory.h"
+#include "io/output/factory.h"
 #include "io/series/series.h"
 
 namespace sphinx::io {

@@ -7,8 +7,8 @@
 #include "core/output.h"
 #include "io/hdf5/results_file.h"
 #include "io/series/csv.h"
-#include "io/series/hdf5_series.h"
-#include "io/series/series_quantity.h"
+#include "io/series/hdf5.h"
+#include "io/series/quantity.h"
 
 #include <memory>
 #include <optional>

@@ -3,7 +3,7 @@
 #include "io/file/file.h"
 
 #include "core/errors.h"
-#include "io/file/output_folder.h"
+#include "io/output/folder.h"
 #include "io/output/progress.h"
 #include "support.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "core/errors.h"
-#include "io/frames/hdf5_output.h"
+#include "io/frames/hdf5.h"
 #include "io/frames/tecplot.h"
 #include "io/frames/vtkhdf.h"
 #include "io/frames/vtu.h"

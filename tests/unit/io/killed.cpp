@@ -5,7 +5,7 @@
 // each of its system calls; at every stop its files are what a kill at that moment would leave,
 // and they have to open and hold whole frames.
 #include "core/parallel.h"
-#include "io/frames/hdf5_output.h"
+#include "io/frames/hdf5.h"
 #include "io/frames/vtkhdf.h"
 #include "io/frames/vtu.h"
 #include "io/hdf5/reader.h"

@@ -5,7 +5,7 @@
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "io/file/compress.h"
-#include "io/frames/frame_arrays.h"
+#include "io/frames/arrays.h"
 #include "support.h"
 
 #include <bit>

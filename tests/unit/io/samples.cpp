@@ -4,7 +4,7 @@
 // Writes the files that tests/regression/readers open with other programs. Hidden: it runs as
 // `SPHINX_SAMPLES=FOLDER unit_io "[.samples]"`.
 #include "core/types.h"
-#include "io/frames/hdf5_output.h"
+#include "io/frames/hdf5.h"
 #include "io/frames/tecplot.h"
 #include "io/frames/vtkhdf.h"
 #include "io/frames/vtu.h"

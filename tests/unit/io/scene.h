@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../memory_archive.h"
-#include "io/output/output_factory.h"
+#include "io/output/factory.h"
 #include "io/series/series.h"
 #include "materials/weakly_compressible_fluid.h"
 #include "support.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/file/output_folder.h"
+#include "io/output/folder.h"
 
 #include "core/errors.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/output.h"
 #include "input/expressions/units.h"
-#include "io/frames/frame_arrays.h"
+#include "io/frames/arrays.h"
 #include "io/hdf5/results_file.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/output/output_factory.h"
+#include "io/output/factory.h"
 
 #include "core/errors.h"
 #include "input/tree/diagnostics.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/frames/frame_arrays.h"
+#include "io/frames/arrays.h"
 
 #include "core/errors.h"
 #include "core/parallel.h"

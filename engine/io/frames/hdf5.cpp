@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/frames/hdf5_output.h"
+#include "io/frames/hdf5.h"
 
 #include "io/hdf5/reader.h"
 

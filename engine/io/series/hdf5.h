@@ -4,7 +4,7 @@
 
 #include "core/clock.h"
 #include "io/hdf5/results_file.h"
-#include "io/series/series_quantity.h"
+#include "io/series/quantity.h"
 
 #include <memory>
 #include <span>

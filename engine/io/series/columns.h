@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "io/series/series_quantity.h"
+#include "io/series/quantity.h"
 #include "particles/field.h"
 
 #include <string>

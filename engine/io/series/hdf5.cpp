@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/series/hdf5_series.h"
+#include "io/series/hdf5.h"
 
 #include "core/log.h"
 #include "io/hdf5/reader.h"

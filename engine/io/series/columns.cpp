@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "io/series/series_columns.h"
+#include "io/series/columns.h"
 
 namespace sphinx::io {
 
