@@ -51,14 +51,14 @@ void declareSaintVenantKirchhoff(Registry& registry) {
     declareIsotropic<SaintVenantKirchhoff>(registry, "saint_venant_kirchhoff")
         .summary("Linear elastic solid for large rotations; softens under large compression")
         .formula("S = lambda tr(E) I + 2 mu E")
-        .citation("guide (8)");
+        .cite("guide", "(8)");
 }
 
 void declareNeoHookean(Registry& registry) {
     declareIsotropic<NeoHookean>(registry, "neo_hookean")
         .summary("Rubber-like solid for large strains")
         .formula("W = mu/2 (I_1 - 3 - 2 ln J) + lambda/2 (ln J)^2")
-        .citation("guide (9)");
+        .cite("guide", "(9)");
 }
 
 void declareFiniteExtensibility(Registry& registry) {
@@ -68,7 +68,7 @@ void declareFiniteExtensibility(Registry& registry) {
     d.formula(
         "W = -mu/2 J_m ln(1 - (I_1 - 3)/J_m) - mu ln J + lambda/2 (ln J)^2; "
         "at rest the bulk modulus is K + 2 mu/J_m");
-    d.citation("guide (10), (11)");
+    d.cite("guide", "(10), (11)");
     d.required("extensibility", &P::extensibility, number(unit::none).above(0),
                "J_m, the value that I_1 - 3 never reaches");
 }
@@ -78,7 +78,7 @@ void declareLinearElastic(Registry& registry) {
     auto& d = declareSolid<LinearElastic>(registry, "linear_elastic");
     d.summary("Anisotropic solid with a constant elasticity tensor, for large rotations");
     d.formula("S = c : E; orthotropic: E_i nu_ji = E_j nu_ij");
-    d.citation("guide (6)");
+    d.cite("guide", "(6)");
     const auto modulus = [] { return number(unit::pressure).above(0); };
     d.optional("youngs_modulus_1", &P::youngs_modulus_1, modulus(), "Young's modulus along axis 1");
     d.optional("youngs_modulus_2", &P::youngs_modulus_2, modulus(), "Young's modulus along axis 2");
@@ -111,7 +111,7 @@ void declareHolzapfelMuscle(Registry& registry) {
     d.formula(
         "W = a/2b (exp(b (I_1 - 3 - 2 ln J)) - 1) + lambda/2 (ln J)^2 + sum over f and s of "
         "a_i/2b_i (exp(b_i (I_ii - 1)^2) - 1) + a_fs/2b_fs (exp(b_fs I_fs^2) - 1)");
-    d.citation("guide (14), (15); Holzapfel & Ogden 2009, doi:10.1098/rsta.2009.0091");
+    d.cite("guide", "(14), (15)").cite("Holzapfel & Ogden 2009");
     const auto modulus = [] { return number(unit::pressure).atLeast(0); };
     const auto exponent = [] { return number(unit::none).atLeast(0); };
     d.required("lame_lambda", &P::lame_lambda, modulus(),

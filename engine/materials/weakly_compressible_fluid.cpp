@@ -17,7 +17,7 @@ void declareWeaklyCompressibleFluid(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::material, "weakly_compressible_fluid");
     d.summary("Fluid whose pressure follows from its density; for flows slow against its sound");
     d.formula("linear: p = c0^2 (rho - rho0); tait: p = rho0 c0^2/gamma ((rho/rho0)^gamma - 1)");
-    d.citation("guide below (19); Monaghan 1994, doi:10.1006/jcph.1994.1034");
+    d.cite("guide", "below (19)").cite("Monaghan 1994");
     d.trait("fluid");
     d.required("density", &P::density, input::number(unit::density).above(0),
                "density at zero pressure, rho0");

@@ -16,18 +16,16 @@ using namespace input;
 void registerKernels(Registry& registry) {
     struct NoParameters {};
     const auto declare = [&](const char* name, KernelType type, const char* summary,
-                             const char* formula, const char* citation) {
+                             const char* formula, const char* source) {
         auto& d = registry.declare<NoParameters>(Kind::kernel, name);
-        d.summary(summary).formula(formula).citation(citation).builder(type);
+        d.summary(summary).formula(formula).cite(source).builder(type);
     };
     declare("wendland_c2", KernelType::wendland_c2, "Wendland C2, reach 2h; does not pair up",
-            "(1 - q/2)^4 (2q + 1)", "Wendland 1995, doi:10.1007/BF02123482");
+            "(1 - q/2)^4 (2q + 1)", "Wendland 1995");
     declare("cubic_spline", KernelType::cubic_spline, "Cubic spline (M4), reach 2h",
-            "((2 - q)^3 - 4 (1 - q)^3)/4 with positive parts",
-            "Monaghan & Lattanzio 1985, A&A 149, 135");
+            "((2 - q)^3 - 4 (1 - q)^3)/4 with positive parts", "Monaghan & Lattanzio 1985");
     declare("quintic_spline", KernelType::quintic_spline, "Quintic spline (M6), reach 3h",
-            "(3 - q)^5 - 6 (2 - q)^5 + 15 (1 - q)^5 with positive parts",
-            "Morris, Fox & Zhu 1997, doi:10.1006/jcph.1997.5776");
+            "(3 - q)^5 - 6 (2 - q)^5 + 15 (1 - q)^5 with positive parts", "Morris, Fox & Zhu 1997");
 }
 
 void declareVariables(Registry& registry) {

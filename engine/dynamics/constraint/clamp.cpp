@@ -57,7 +57,7 @@ void declareClamp(input::Registry& registry) {
         "u = 0 on the surface: u_g = sum_k c_gk u_k, f_k += sum_g c_gk f_g; sum_k c_gk = -1, or "
         "distance/(0.75 dp) where the surface cuts a cell, which is strained as far as it lies "
         "outside");
-    d.citation("mirror particles as in Libersky et al. 1993, doi:10.1006/jcph.1993.1199");
+    d.cite("Libersky et al. 1993", "(mirror particles)");
     d.required("part", &P::part, input::partReference({"elastic"}),
                "part of a body; particles that it covers by more than a quarter have no mass");
     d.action("between the halves of the step, and at the start before the correction")

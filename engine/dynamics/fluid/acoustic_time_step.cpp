@@ -30,7 +30,7 @@ void declareAcousticTimeStep(input::Registry& registry) {
         });
     d.summary("Time step by the speed of sound");
     d.formula("guide (53): cfl h / (c0 + abs(v)_max)");
-    d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
+    d.cite("guide", "(53)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
     d.timeStep("").reads("body", {"velocity"});

@@ -37,7 +37,7 @@ void declareAdvectionTimeStep(input::Registry& registry) {
                                  });
     d.summary("Time step by advection and viscosity");
     d.formula("guide (52): cfl min(h / max(abs(v)_max, reference_speed), h^2 / nu)");
-    d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
+    d.cite("guide", "(52)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.required("reference_speed", &P::reference_speed, input::number(unit::velocity).above(0),
                "typical speed of the flow; keeps the step finite while the fluid is at rest");

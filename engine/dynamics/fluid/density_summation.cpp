@@ -47,7 +47,7 @@ void declareDensitySummation(input::Registry& registry) {
                                });
     d.summary("Density from the sum of the kernel over the neighbors");
     d.formula("guide (54) free: max(rho, rho0 S/S0); (55) confined: rho(start) S/S0");
-    d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
+    d.cite("guide", "(54), (55)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.optional("surface", &P::surface,
                input::choice<Surface>({

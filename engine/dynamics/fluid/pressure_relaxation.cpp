@@ -220,7 +220,7 @@ void declarePressureRelaxation(input::Registry& registry) {
     d.formula(
         "guide (51), (56)-(58) as drift-kick-drift; m_i dv_i/dt = -2 sum_j p*_ij e_ij W' V_i V_j, "
         "drho_i/dt = 2 rho_i sum_j (v_i - v*_ij) . e_ij W' V_j");
-    d.citation("Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027");
+    d.cite("guide", "(51), (56)-(58)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid that is stepped");
     d.optional("riemann", &P::riemann,
                input::choice<Riemann>({

@@ -215,8 +215,7 @@ void declareViscousForce(input::Registry& registry) {
     d.formula(
         "laplacian: dv_i/dt = 2 mu L/m_i sum_j v_ij/r_ij W' V_i V_j; central, guide (35): "
         "dv_i/dt = 2 (d+2) mu/m_i sum_j (v_ij . e_ij)/r_ij e_ij W' V_i V_j");
-    d.citation(
-        "Morris, Fox & Zhu 1997, doi:10.1006/jcph.1997.5776 (laplacian; velocity inside walls)");
+    d.cite("guide", "(35)").cite("Morris, Fox & Zhu 1997", "(laplacian; velocity inside walls)");
     d.required("body", &P::body, input::bodyReference({"fluid"}),
                "fluid; its material gives the viscosity");
     d.optional("wall", &P::wall,

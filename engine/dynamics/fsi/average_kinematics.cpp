@@ -46,7 +46,7 @@ void declareAverageKinematics(input::Registry& registry) {
     d.formula(
         "guide 2.2.4: u = (r(t + dt) - r(t))/dt, average a = (u - u of the step before)/dt, "
         "average v = u + a dt/2");
-    d.citation("Zhang, Rezavand & Hu 2021, doi:10.1016/j.jcp.2020.110028");
+    d.cite("guide", "2.2.4").cite("Zhang, Rezavand & Hu 2021");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.action("begin", "before the steps of the solid",
              [](auto& method, const Clock& clock) { method.begin(clock); })

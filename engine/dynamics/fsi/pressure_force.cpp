@@ -17,7 +17,7 @@ void declarePressureForce(input::Registry& registry) {
         "Pressure of a fluid on the particles of an elastic body; after the first half of the "
         "fluid's pressure relaxation");
     d.formula("f_j = -sum_i 2 p*_ij e_ji W' V_i V_j, minus what the fluid has felt (guide 2.2.4)");
-    d.citation("Zhang, Rezavand & Hu 2021, doi:10.1016/j.jcp.2020.110028");
+    d.cite("guide", "2.2.4").cite("Zhang, Rezavand & Hu 2021");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that pushes it");
     d.action()

@@ -13,7 +13,7 @@ void declareLinearCorrection(input::Registry& registry) {
     d.summary(
         "Correction matrices and initial deformation of an elastic body; belongs to the start");
     d.formula("guide (30): B_i = (-sum_j R_ij (x) e_ij W' V_j)^-1 in the reference configuration");
-    d.citation("Randles & Libersky 1996, doi:10.1016/S0045-7825(96)01090-0");
+    d.cite("guide", "(30)").cite("Randles & Libersky 1996");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.trait("sums_over_itself");
     d.action()

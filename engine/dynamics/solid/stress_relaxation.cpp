@@ -63,9 +63,9 @@ void declareStressRelaxation(input::Registry& registry) {
     d.formula(
         "guide (5), (29), (31) as drift-kick-drift; m_i dv_i/dt = sum_j (P_i B_i^T + P_j B_j^T) "
         "e_ij W' V_i V_j, dF_i/dt = -sum_j v_ij (x) e_ij W' V_j B_i");
-    d.citation(
-        "Vignjevic, Reveles & Campbell 2006, doi:10.3970/cmes.2006.014.181; Bonet & Lok "
-        "1999, doi:10.1016/S0045-7825(99)00051-1 (conjugate form)");
+    d.cite("guide", "(5), (29), (31)")
+        .cite("Vignjevic, Reveles & Campbell 2006")
+        .cite("Bonet & Lok 1999", "(conjugate form)");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is stepped");
     d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
                "whether neighbors are also held by what the deformation gradient does not see of "

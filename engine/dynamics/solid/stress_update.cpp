@@ -15,6 +15,7 @@ void declareStressUpdate(input::Registry& registry) {
     d.formula(
         "guide (29), (6): F += dt/2 dF/dt and P(F) in the first half; dF/dt and F += dt/2 "
         "dF/dt in the second");
+    d.cite("guide", "(29), (6)");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body that is held");
     d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
                "as in solid.stress_relaxation of the bodies bonded to it");

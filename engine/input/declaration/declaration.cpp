@@ -80,6 +80,12 @@ int Declaration::actionIndex(std::string_view name) const {
     return -1;
 }
 
+void Declaration::cite(std::string_view key, std::string where) {
+    const Publication* publication = findPublication(key);
+    assert(publication && "a publication that sources.cpp does not list");
+    citations_.push_back({publication, std::move(where)});
+}
+
 void Declaration::add(Parameter added) {
     assert(!parameter(added.name) && "parameter declared twice");
     parameters_.push_back(std::move(added));

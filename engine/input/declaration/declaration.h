@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "input/declaration/sources.h"
 #include "input/expressions/units.h"
 #include "input/types/type.h"
 
@@ -88,6 +89,17 @@ struct Parameter {
     const void* in(const void* parameters) const { return member(const_cast<void*>(parameters)); }
 };
 
+/// Where a formula or method comes from.
+struct Citation {
+    const Publication* publication;  ///< never null
+    std::string where;               ///< equation or remark: "(54)"; empty: the whole
+
+    /// "guide (54)"
+    std::string text() const {
+        return std::string(publication->key) + (where.empty() ? "" : " " + where);
+    }
+};
+
 /// The one place that says what a component or block is; validation, `describe`, `list`, the JSON
 /// Schema, the reference page, `show` and the check of the loop read it.
 class Declaration {
@@ -98,7 +110,7 @@ class Declaration {
     const std::string& name() const { return name_; }
     const std::string& summary() const { return summary_; }
     const std::string& formula() const { return formula_; }
-    const std::string& citation() const { return citation_; }
+    const std::vector<Citation>& citations() const { return citations_; }
     const std::vector<std::string>& traits() const { return traits_; }
     bool hasTrait(std::string_view trait) const;
 
@@ -137,12 +149,13 @@ class Declaration {
                 std::function<std::shared_ptr<void>()> make)
         : kind_(kind), name_(std::move(name)), type_(&type), make_(std::move(make)) {}
     void add(Parameter parameter);
+    void cite(std::string_view key, std::string where);
 
     Kind kind_;
     std::string name_;
     std::string summary_;
     std::string formula_;
-    std::string citation_;
+    std::vector<Citation> citations_;
     std::vector<std::string> traits_;
     std::deque<Parameter> parameters_;
     std::deque<Action> actions_;
@@ -162,7 +175,10 @@ class Declared : public Declaration {
 
     Declared& summary(std::string text) { return summary_ = std::move(text), *this; }
     Declared& formula(std::string text) { return formula_ = std::move(text), *this; }
-    Declared& citation(std::string text) { return citation_ = std::move(text), *this; }
+    /// A publication of the list in sources.h, and where in it. Asserts that it is there.
+    Declared& cite(std::string_view key, std::string where = "") {
+        return Declaration::cite(key, std::move(where)), *this;
+    }
     /// A property that references may ask for, such as "elastic". Of methods: "sums_over_itself"
     /// (its body must see itself), "permutes" (it reorders particles) and "removes" (it takes
     /// particles out of fluids where the domain says so).
@@ -216,7 +232,6 @@ class Declared : public Declaration {
         return builder_ = std::move(payload), *this;
     }
     using Declaration::builder;
-    using Declaration::citation;
     using Declaration::formula;
     using Declaration::parameter;
     using Declaration::summary;

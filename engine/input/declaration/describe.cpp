@@ -83,7 +83,8 @@ std::string describeOne(const Declaration& d) {
     };
     out += "  " + d.summary() + "\n";
     add("formula", d.formula());
-    add("citation", d.citation());
+    for (const Citation& citation : d.citations())
+        add("source", citation.text() + ": " + fullCitation(*citation.publication));
     add("traits", joined(d.traits()));
     if (!d.parameters().empty()) out += "\nparameters\n";
     std::size_t width = 0;
@@ -129,7 +130,10 @@ std::string escaped(std::string text) {
 std::string markdownOne(const Declaration& d) {
     std::string out = "### `" + d.name() + "`\n\n" + escaped(d.summary()) + ".\n\n";
     if (!d.formula().empty()) out += "Formula: `" + d.formula() + "`\n\n";
-    if (!d.citation().empty()) out += "Source: " + d.citation() + "\n\n";
+    std::string sources;
+    for (const Citation& citation : d.citations())
+        sources += (sources.empty() ? "Source: " : "; ") + citation.text();
+    if (!sources.empty()) out += sources + "\n\n";
     if (!d.traits().empty()) out += "Traits: " + joined(d.traits()) + "\n\n";
     if (!d.parameters().empty()) out += "| key | | value | meaning |\n|---|---|---|---|\n";
     for (const Parameter& p : d.parameters())
@@ -208,7 +212,9 @@ std::string referencePage(const Registry& registry) {
         for (const std::string& name : registry.names(kind))
             out += markdownOne(*registry.find(kind, name));
     }
-    while (out.ends_with("\n\n")) out.pop_back();
+    out += "## Sources\n\n";
+    for (const Publication& one : publications())
+        out += "- " + std::string(one.key) + ": " + fullCitation(one) + "\n";
     return out;
 }
 
