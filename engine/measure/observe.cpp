@@ -16,7 +16,7 @@ namespace sphinx::io {
 
 template <int Dim>
 ObserveSource<Dim>::ObserveSource(std::unique_ptr<ObserveWeights<Dim>> weights,
-                                  std::vector<std::vector<FieldBase*>> fields, bool mean,
+                                  std::vector<std::vector<const FieldBase*>> fields, bool mean,
                                   const input::UnitSystem& units)
     : weights_(std::move(weights)), fields_(std::move(fields)), mean_(mean) {
     const std::size_t points = mean ? 1 : weights_->points();
@@ -24,7 +24,7 @@ ObserveSource<Dim>::ObserveSource(std::unique_ptr<ObserveWeights<Dim>> weights,
         quantities_.push_back({std::string(name), units.text(unit), std::move(text),
                                pointLabels(points, componentLabels<Dim>(rank))});
     };
-    for (const std::vector<FieldBase*>& field : fields_) {
+    for (const std::vector<const FieldBase*>& field : fields_) {
         const FieldInfo& info = field.front()->info();
         add(info.name, info.rank, info.unit, std::string(info.doc));
     }
@@ -57,7 +57,7 @@ template <int Dim>
 void ObserveSource<Dim>::sample(const Clock&, std::span<double> row) {
     weights_->update();
     const std::size_t points = weights_->points();
-    for (const std::vector<FieldBase*>& field : fields_) {
+    for (const std::vector<const FieldBase*>& field : fields_) {
         const FieldInfo& info = field.front()->info();
         const auto width = static_cast<std::size_t>(field.front()->components());
         values_.assign(points * width, 0);
@@ -98,15 +98,15 @@ struct ObserveParameters : MeanParameters {
 };
 
 template <int Dim>
-std::vector<std::vector<FieldBase*>> observedFields(const ObserveParameters& p,
-                                                    const Body<Dim>& observer) {
-    std::vector<std::vector<FieldBase*>> fields;
+std::vector<std::vector<const FieldBase*>> observedFields(const ObserveParameters& p,
+                                                          const Body<Dim>& observer) {
+    std::vector<std::vector<const FieldBase*>> fields;
     for (auto name = p.fields.begin(); name != p.fields.end(); ++name) {
         if (std::find(p.fields.begin(), name, *name) != name)
             failAt(name->place, "the field '" + name->text + "' is named twice");
         if (name->text == fields::position.name)
             failAt(name->place, "the position of the points is always written");
-        std::vector<FieldBase*>& field = fields.emplace_back();
+        std::vector<const FieldBase*>& field = fields.emplace_back();
         for (const Body<Dim>* body : observer.sees) {
             field.push_back(&fieldOf(*body, *name));
             if (field.back()->info().rank == Rank::integer)
@@ -145,7 +145,7 @@ std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Com
         return makeRowsOutput(component, context, {p, "surface_elevation at " + lookedAt(observer)},
                               makeElevationSource(observer, p.observer.place, context));
     }
-    std::vector<std::vector<FieldBase*>> fields = observedFields(p, observer);
+    std::vector<std::vector<const FieldBase*>> fields = observedFields(p, observer);
     std::unique_ptr<ObserveWeights<Dim>> weights;
     if (follows)
         weights = std::make_unique<MaterialWeights<Dim>>(observer, context.relations,

@@ -18,7 +18,7 @@ class ObserveSource final : public SeriesSource {
  public:
     /// `fields[f]`: the field f of each body of weights->bodies(); none of whole numbers.
     ObserveSource(std::unique_ptr<ObserveWeights<Dim>> weights,
-                  std::vector<std::vector<FieldBase*>> fields, bool mean,
+                  std::vector<std::vector<const FieldBase*>> fields, bool mean,
                   const input::UnitSystem& units);
 
     const std::vector<SeriesQuantity>& quantities() const override { return quantities_; }
@@ -30,7 +30,7 @@ class ObserveSource final : public SeriesSource {
     void addRow(const std::vector<double>& values, std::size_t components, std::span<double>& row);
 
     std::unique_ptr<ObserveWeights<Dim>> weights_;
-    std::vector<std::vector<FieldBase*>> fields_;
+    std::vector<std::vector<const FieldBase*>> fields_;
     bool mean_;
     std::vector<SeriesQuantity> quantities_;
     std::vector<double> values_;

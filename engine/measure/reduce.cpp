@@ -36,7 +36,7 @@ template <int Dim>
 std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
                                          const input::Component& component,
                                          const OutputContext<Dim>& context) {
-    const Body<Dim>& body = *context.world.find(p.body.text);
+    Body<Dim>& body = *context.world.find(p.body.text);
     const ReducedBody<Dim> reduced{&body, p.body.place, context.units, &context.relations};
     switch (p.quantity) {
         case Reduced::mechanical_energy: return mechanicalEnergy(reduced);

@@ -44,7 +44,7 @@ struct Motion {
     double mass(std::size_t i) const { return body->hasMass(i) ? (*m)[i] : 0; }
     double kinetic(std::size_t i) const { return 0.5 * mass(i) * (*v)[i].squaredNorm(); }
 
-    const Body<Dim>* body;
+    Body<Dim>* body;
     const Field<Vec<Dim>>* x;
     const Field<Vec<Dim>>* v;
     const Field<double>* m;
@@ -93,7 +93,7 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
              {}},
             {"total", energy, "kinetic + potential + internal", {}}},
         [motion, density, relations](std::span<double> row) {
-            const Body<Dim>& body = *motion.body;
+            Body<Dim>& body = *motion.body;
             const Vec<Dim> g = body.gravity();
             const auto sum = parallelSum(body.size(), [&](std::size_t i) {
                 return Sums<2>{{motion.kinetic(i), -motion.mass(i) * g.dot((*motion.x)[i])}};

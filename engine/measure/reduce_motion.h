@@ -13,7 +13,7 @@ namespace sphinx::io {
 /// of threads. They throw CaseError at the place when the body lacks a field that they need.
 template <int Dim>
 struct ReducedBody {
-    const Body<Dim>* body;
+    Body<Dim>* body;
     input::Place place;  ///< where the case names it
     input::UnitSystem units;
     Relations<Dim>* relations = nullptr;  ///< needed for the energy of elastic bodies

@@ -15,6 +15,17 @@ T zero() {
         return T::Zero();
 }
 
+/// Of const values or others.
+template <class T, class Values>
+auto numbersOf(Values& values) {
+    if constexpr (std::is_same_v<T, double>)
+        return values.data();
+    else if constexpr (std::is_same_v<T, std::int64_t>)
+        return nullptr;
+    else
+        return values.empty() ? nullptr : values.data()->data();
+}
+
 }  // namespace
 
 template <class T>
@@ -24,15 +35,21 @@ std::int64_t* Field<T>::integers() {
     else
         return nullptr;
 }
+template <class T>
+const std::int64_t* Field<T>::integers() const {
+    if constexpr (std::is_same_v<T, std::int64_t>)
+        return values_.data();
+    else
+        return nullptr;
+}
 
 template <class T>
 double* Field<T>::numbers() {
-    if constexpr (std::is_same_v<T, std::int64_t>)
-        return nullptr;
-    else if constexpr (std::is_same_v<T, double>)
-        return values_.data();
-    else
-        return values_.empty() ? nullptr : values_.data()->data();
+    return numbersOf<T>(values_);
+}
+template <class T>
+const double* Field<T>::numbers() const {
+    return numbersOf<T>(values_);
 }
 
 template <class T>

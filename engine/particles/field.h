@@ -33,8 +33,10 @@ class FieldBase {
     virtual int components() const = 0;
     /// For rank integer: the 64-bit ids; else nullptr.
     virtual std::int64_t* integers() { return nullptr; }
+    virtual const std::int64_t* integers() const { return nullptr; }
     /// For every other rank: components() doubles per particle; else nullptr.
     virtual double* numbers() { return nullptr; }
+    virtual const double* numbers() const { return nullptr; }
 
     virtual void resize(std::size_t n) = 0;
     virtual void setZero() = 0;
@@ -62,7 +64,9 @@ class Field final : public FieldBase {
 
     int components() const override { return static_cast<int>(sizeof(T) / 8); }
     std::int64_t* integers() override;
+    const std::int64_t* integers() const override;
     double* numbers() override;
+    const double* numbers() const override;
     void resize(std::size_t n) override;
     void setZero() override;
     void permute(const AlignedVector<Index>& order) override;

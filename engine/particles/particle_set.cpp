@@ -57,10 +57,23 @@ void ParticleSet<Dim>::restore(std::size_t n, std::int64_t next_id) {
 }
 
 template <int Dim>
-FieldBase* ParticleSet<Dim>::find(std::string_view name) const {
+FieldBase* ParticleSet<Dim>::find(std::string_view name) {
     for (const auto& field : fields_)
         if (field->info().name == name) return field.get();
     return nullptr;
+}
+template <int Dim>
+const FieldBase* ParticleSet<Dim>::find(std::string_view name) const {
+    for (const auto& field : fields_)
+        if (field->info().name == name) return field.get();
+    return nullptr;
+}
+
+template <int Dim>
+std::vector<const FieldBase*> ParticleSet<Dim>::all() const {
+    std::vector<const FieldBase*> fields;
+    for (const auto& field : fields_) fields.push_back(field.get());
+    return fields;
 }
 
 template <int Dim>
@@ -90,6 +103,28 @@ Field<Mat<Dim>>& ParticleSet<Dim>::matrix(const FieldInfo& info) {
 template <int Dim>
 Field<std::int64_t>& ParticleSet<Dim>::integer(const FieldInfo& info) {
     return typed<std::int64_t>(info, Rank::integer);
+}
+
+template <int Dim>
+const FieldBase& ParticleSet<Dim>::require(const FieldInfo& info) const {
+    const FieldBase* field = find(info.name);
+    assert(field && field->info().rank == info.rank);
+    return *field;
+}
+template <int Dim>
+const Field<double>& ParticleSet<Dim>::scalar(const FieldInfo& info) const {
+    assert(info.rank == Rank::scalar);
+    return static_cast<const Field<double>&>(require(info));
+}
+template <int Dim>
+const Field<Vec<Dim>>& ParticleSet<Dim>::vector(const FieldInfo& info) const {
+    assert(info.rank == Rank::vector);
+    return static_cast<const Field<Vec<Dim>>&>(require(info));
+}
+template <int Dim>
+const Field<Mat<Dim>>& ParticleSet<Dim>::matrix(const FieldInfo& info) const {
+    assert(info.rank == Rank::matrix);
+    return static_cast<const Field<Mat<Dim>>&>(require(info));
 }
 
 template <int Dim>

@@ -40,13 +40,19 @@ class ParticleSet {
     /// The same, whatever its rank.
     FieldBase& require(const FieldInfo& info);
     /// The field if it exists, else nullptr.
-    FieldBase* find(std::string_view name) const;
+    FieldBase* find(std::string_view name);
+    const FieldBase* find(std::string_view name) const;
+    /// A field that exists. Asserts so, and that the rank agrees.
+    const Field<double>& scalar(const FieldInfo& info) const;
+    const Field<Vec<Dim>>& vector(const FieldInfo& info) const;
+    const Field<Mat<Dim>>& matrix(const FieldInfo& info) const;
+    const FieldBase& require(const FieldInfo& info) const;
 
     Field<std::int64_t>& id() { return *id_; }
     Field<Vec<Dim>>& position() { return *position_; }
     const Field<Vec<Dim>>& position() const { return *position_; }
 
-    const std::vector<std::unique_ptr<FieldBase>>& all() const { return fields_; }
+    std::vector<const FieldBase*> all() const;
     std::size_t bytes() const;
 
  private:

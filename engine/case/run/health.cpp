@@ -133,14 +133,15 @@ void Health<Dim>::check(const Clock& clock) {
 template <int Dim>
 std::vector<std::int64_t> Health<Dim>::spoilt(const sphinx::Body<Dim>& body,
                                               const FieldInfo& info) {
-    auto& particles = const_cast<ParticleSet<Dim>&>(body.particles);
-    FieldBase& field = particles.require(info);
-    const auto width = static_cast<std::size_t>(field.components());
     std::vector<std::int64_t> ids;
+    const FieldBase* field = body.particles.find(info.name);
+    if (!field) return ids;
+    const auto width = static_cast<std::size_t>(field->components());
+    const std::int64_t* id = body.particles.find(fields::id.name)->integers();
     for (std::size_t i = 0; i < body.size(); ++i) {
-        const double* values = field.numbers() + i * width;
+        const double* values = field->numbers() + i * width;
         if (!std::all_of(values, values + width, [](double v) { return std::isfinite(v); }))
-            ids.push_back(particles.id()[i]);
+            ids.push_back(id[i]);
     }
     std::sort(ids.begin(), ids.end());
     return ids;

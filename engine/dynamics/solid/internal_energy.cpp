@@ -33,8 +33,7 @@ double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& d
 }  // namespace
 
 template <int Dim>
-double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
-    auto& body = const_cast<Body<Dim>&>(constant);  // fields are asked for, not changed
+double internalEnergy(Body<Dim>& body, Relations<Dim>& relations) {
     const ElasticRole<Dim>& role = body.elastic();
     const auto& gradient = body.particles.matrix(fields::deformation_gradient);
     const auto& volume = body.particles.scalar(fields::volume);
@@ -63,7 +62,7 @@ double internalEnergy(const Body<Dim>& constant, Relations<Dim>& relations) {
     return elastic + control;
 }
 
-template double internalEnergy(const Body<2>&, Relations<2>&);
-template double internalEnergy(const Body<3>&, Relations<3>&);
+template double internalEnergy(Body<2>&, Relations<2>&);
+template double internalEnergy(Body<3>&, Relations<3>&);
 
 }  // namespace sphinx::solid

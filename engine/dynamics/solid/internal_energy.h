@@ -10,6 +10,6 @@ namespace sphinx::solid {
 /// sum_i V_i c/2 sum_j k_ij abs(r_ij - F_i R_ij)^2 (deformation.h). Energy, zero at rest. Undamped
 /// motion keeps it and the kinetic energy together.
 template <int Dim>
-double internalEnergy(const Body<Dim>& body, Relations<Dim>& relations);
+double internalEnergy(Body<Dim>& body, Relations<Dim>& relations);
 
 }  // namespace sphinx::solid

@@ -41,7 +41,9 @@ const Node* Node::find(std::string_view key) const {
 }
 
 Node* Node::find(std::string_view key) {
-    return const_cast<Node*>(static_cast<const Node*>(this)->find(key));
+    for (Entry& entry : entries)
+        if (entry.key == key) return &entry.value;
+    return nullptr;
 }
 
 Node& Node::set(std::string_view key, Node value) {

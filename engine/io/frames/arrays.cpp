@@ -46,9 +46,10 @@ bool unchangedOrder(const std::vector<int>& map) {
     return true;
 }
 
-std::string_view rawBytes(FieldBase& field, std::size_t particles) {
-    const void* data = field.info().rank == Rank::integer ? static_cast<void*>(field.integers())
-                                                          : static_cast<void*>(field.numbers());
+std::string_view rawBytes(const FieldBase& field, std::size_t particles) {
+    const void* data = field.info().rank == Rank::integer
+                           ? static_cast<const void*>(field.integers())
+                           : static_cast<const void*>(field.numbers());
     const std::size_t bytes = particles * static_cast<std::size_t>(field.components()) * 8;
     return bytes == 0 ? std::string_view()
                       : std::string_view(static_cast<const char*>(data), bytes);
@@ -57,12 +58,12 @@ std::string_view rawBytes(FieldBase& field, std::size_t particles) {
 }  // namespace
 
 template <int Dim>
-std::vector<FieldBase*> frameFields(const BodyFrames<Dim>& frames) {
+std::vector<const FieldBase*> frameFields(const BodyFrames<Dim>& frames) {
     const ParticleSet<Dim>& particles = frames.body->particles;
-    std::vector<FieldBase*> result{particles.find(fields::id.name)};
-    if (FieldBase* mass = particles.find(fields::mass.name)) result.push_back(mass);
+    std::vector<const FieldBase*> result{particles.find(fields::id.name)};
+    if (const FieldBase* mass = particles.find(fields::mass.name)) result.push_back(mass);
     for (const std::string& name : frames.fields) {
-        FieldBase* field = particles.find(name);
+        const FieldBase* field = particles.find(name);
         if (!field) throw CaseError("body '" + frames.body->name + "' has no field '" + name + "'");
         if (name != fields::position.name &&
             std::find(result.begin(), result.end(), field) == result.end())
@@ -76,14 +77,15 @@ int componentsOf(Rank rank, FieldLayout layout) {
     return static_cast<int>(componentMap<Dim>(rank, layout).size());
 }
 
-double frameBytes(const std::vector<FieldBase*>& fields, std::size_t particles, double number) {
+double frameBytes(const std::vector<const FieldBase*>& fields, std::size_t particles,
+                  double number) {
     double numbers = 0;
     for (const FieldBase* field : fields) numbers += field->components();
     return numbers * number * static_cast<double>(particles);
 }
 
 template <int Dim>
-ArrayView ArrayGatherer<Dim>::gather(FieldBase& field, std::size_t particles) {
+ArrayView ArrayGatherer<Dim>::gather(const FieldBase& field, std::size_t particles) {
     ArrayView view;
     view.name = field.info().name;
     if (field.info().rank == Rank::integer) {
@@ -108,7 +110,7 @@ ArrayView ArrayGatherer<Dim>::gather(FieldBase& field, std::size_t particles) {
     return view;
 }
 
-std::uint64_t fieldFingerprint(FieldBase& field, std::size_t particles) {
+std::uint64_t fieldFingerprint(const FieldBase& field, std::size_t particles) {
     return fingerprint(rawBytes(field, particles));
 }
 
@@ -143,8 +145,8 @@ void removeFramesFrom(const Path& folder, std::string_view body, std::string_vie
     for (const Path& path : beyond) removeFile(path);
 }
 
-template std::vector<FieldBase*> frameFields(const BodyFrames<2>&);
-template std::vector<FieldBase*> frameFields(const BodyFrames<3>&);
+template std::vector<const FieldBase*> frameFields(const BodyFrames<2>&);
+template std::vector<const FieldBase*> frameFields(const BodyFrames<3>&);
 template int componentsOf<2>(Rank, FieldLayout);
 template int componentsOf<3>(Rank, FieldLayout);
 template class ArrayGatherer<2>;

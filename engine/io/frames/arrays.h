@@ -23,7 +23,7 @@ struct BodyFrames {
 /// The fields of a frame besides the position, each once: id, mass, then the named ones.
 /// Throws CaseError for a name that the body has no field of.
 template <int Dim>
-std::vector<FieldBase*> frameFields(const BodyFrames<Dim>& frames);
+std::vector<const FieldBase*> frameFields(const BodyFrames<Dim>& frames);
 
 /// Values of one field as a file wants them.
 struct ArrayView {
@@ -46,7 +46,7 @@ class ArrayGatherer {
     ArrayGatherer(FieldLayout layout, bool single_precision)
         : layout_(layout), single_precision_(single_precision) {}
 
-    ArrayView gather(FieldBase& field, std::size_t particles);
+    ArrayView gather(const FieldBase& field, std::size_t particles);
 
  private:
     FieldLayout layout_;
@@ -59,10 +59,11 @@ template <int Dim>
 int componentsOf(Rank rank, FieldLayout layout);
 
 /// Bytes of a frame of these fields, with so many bytes a number.
-double frameBytes(const std::vector<FieldBase*>& fields, std::size_t particles, double number);
+double frameBytes(const std::vector<const FieldBase*>& fields, std::size_t particles,
+                  double number);
 
 /// Bytes of the field as it lies in memory, to tell whether it changed.
-std::uint64_t fieldFingerprint(FieldBase& field, std::size_t particles);
+std::uint64_t fieldFingerprint(const FieldBase& field, std::size_t particles);
 
 /// "water_000012.vtu"
 std::string frameName(std::string_view body, std::int64_t frame, std::string_view extension);

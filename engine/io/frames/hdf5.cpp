@@ -11,7 +11,7 @@ using namespace hdf5;
 template <int Dim>
 struct Hdf5Output<Dim>::Series {
     struct Member {
-        FieldBase* field = nullptr;
+        const FieldBase* field = nullptr;
         std::uint64_t fingerprint = 0;
         std::shared_ptr<StoredNode> stored;  // null: not written by this process
     };
@@ -42,7 +42,8 @@ Hdf5Output<Dim>::Hdf5Output(Hdf5Parameters parameters, std::shared_ptr<ResultsFi
         auto series = std::make_unique<Series>();
         series->body = frames.body;
         series->members.push_back({frames.body->particles.find(fields::position.name), 0, nullptr});
-        for (FieldBase* field : frameFields(frames)) series->members.push_back({field, 0, nullptr});
+        for (const FieldBase* field : frameFields(frames))
+            series->members.push_back({field, 0, nullptr});
         series->makeGroup(parameters_.units.text(unit::time));
         series_.push_back(std::move(series));
     }
@@ -55,7 +56,7 @@ template <int Dim>
 std::vector<OutputFile> Hdf5Output<Dim>::files() const {
     std::vector<OutputFile> files;
     for (const auto& series : series_) {
-        std::vector<FieldBase*> fields;
+        std::vector<const FieldBase*> fields;
         for (const auto& member : series->members) fields.push_back(member.field);
         files.push_back(
             {"results.h5:bodies/" + series->body->name,
@@ -73,7 +74,8 @@ void Hdf5Output<Dim>::open() {
 }
 
 template <int Dim>
-std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(FieldBase& field, std::size_t particles) {
+std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(const FieldBase& field,
+                                                     std::size_t particles) {
     const ArrayView view = gatherer_.gather(field, particles);
     Dimensions row_shape;
     if (field.info().rank == Rank::vector) row_shape = {Dim};

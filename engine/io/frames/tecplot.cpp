@@ -37,10 +37,11 @@ std::vector<std::string> componentNames(const FieldInfo& info) {
     return names;
 }
 
-std::string formatLines(const std::vector<FieldBase*>& fields, std::size_t begin, std::size_t end) {
+std::string formatLines(const std::vector<const FieldBase*>& fields, std::size_t begin,
+                        std::size_t end) {
     std::string text;
     for (std::size_t i = begin; i < end; ++i) {
-        for (FieldBase* field : fields) {
+        for (const FieldBase* field : fields) {
             const auto width = static_cast<std::size_t>(field->components());
             for (std::size_t c = 0; c < width; ++c) {
                 if (const std::int64_t* integers = field->integers())
@@ -67,7 +68,7 @@ TecplotOutput<Dim>::TecplotOutput(TecplotParameters parameters,
         series.fields = frameFields(frames);
         series.fields.insert(series.fields.begin(),
                              frames.body->particles.find(fields::position.name));
-        for (FieldBase* field : series.fields) {
+        for (const FieldBase* field : series.fields) {
             const std::string unit = parameters_.units.text(field->info().unit);
             for (const std::string& name : componentNames<Dim>(field->info()))
                 series.variables += " " + quoted(unit.empty() ? name : name + " [" + unit + "]");

@@ -33,7 +33,7 @@ class TecplotOutput final : public Output {
  private:
     struct Series {
         const Body<Dim>* body = nullptr;
-        std::vector<FieldBase*> fields;  // position first
+        std::vector<const FieldBase*> fields;  // position first
         std::string variables;
     };
 

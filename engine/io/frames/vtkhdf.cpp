@@ -21,7 +21,7 @@ class VtkHdfOutput<Dim>::Series {
           body_(frames.body),
           path_(parameters.folder / (frames.body->name + ".vtkhdf")) {
         members_.push_back({frames.body->particles.find(fields::position.name)});
-        for (FieldBase* field : frameFields(frames)) members_.push_back({field});
+        for (const FieldBase* field : frameFields(frames)) members_.push_back({field});
     }
 
     void write(const Clock& clock, std::int64_t frame) {
@@ -65,7 +65,7 @@ class VtkHdfOutput<Dim>::Series {
     const std::string& name() const { return body_->name; }
 
     OutputFile file() const {
-        std::vector<FieldBase*> fields;
+        std::vector<const FieldBase*> fields;
         for (const Member& member : members_) fields.push_back(member.field);
         return {path_.filename().string(),
                 frameBytes(fields, body_->size(), parameters_.single_precision ? 4 : 8)};
@@ -84,7 +84,7 @@ class VtkHdfOutput<Dim>::Series {
 
  private:
     struct Member {
-        FieldBase* field;
+        const FieldBase* field;
         std::uint64_t fingerprint = 0;
         std::int64_t row = -1;           // where it was written last, -1: nowhere
         bool fingerprint_known = false;  // from the run that this one goes on with

@@ -124,8 +124,8 @@ class Appender {
 template <int Dim>
 struct VtuOutput<Dim>::Series {
     const Body<Dim>* body = nullptr;
-    FieldBase* position = nullptr;
-    std::vector<FieldBase*> fields;
+    const FieldBase* position = nullptr;
+    std::vector<const FieldBase*> fields;
     VertexCells cells;
     std::vector<PvdEntry> entries;
     std::uint64_t last_fingerprint = 0;
@@ -136,11 +136,11 @@ struct VtuOutput<Dim>::Series {
         std::string names = single_precision ? "single" : "double";
         for (const FieldBase* field : fields) names += " " + std::string(field->info().name);
         std::uint64_t sum = io::fingerprint(names);
-        const auto add = [&](FieldBase& field) {
+        const auto add = [&](const FieldBase& field) {
             sum = std::rotl(sum, 7) * 31 + fieldFingerprint(field, body->size());
         };
         add(*position);
-        for (FieldBase* field : fields) add(*field);
+        for (const FieldBase* field : fields) add(*field);
         return sum;
     }
     void transfer(Archive& archive) {
@@ -171,7 +171,7 @@ template <int Dim>
 std::vector<OutputFile> VtuOutput<Dim>::files() const {
     std::vector<OutputFile> files;
     for (const auto& series : series_) {
-        std::vector<FieldBase*> fields = series->fields;
+        std::vector<const FieldBase*> fields = series->fields;
         fields.push_back(series->position);
         files.push_back(
             {series->body->name + "_*.vtu",
@@ -215,7 +215,7 @@ void VtuOutput<Dim>::writeFrame(Series& series, const Path& path, double time) {
     for (const auto& [name, value] : parameters_.provenance.entries) header.string(name, value);
     header.text("</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(n) +
                 "\" NumberOfCells=\"" + std::to_string(n) + "\">\n<PointData>\n");
-    for (FieldBase* field : series.fields) {
+    for (const FieldBase* field : series.fields) {
         const Rank rank = field->info().rank;
         header.array(rank == Rank::integer ? typeName(NumberType::int64) : number,
                      field->info().name, componentsOf<Dim>(rank, FieldLayout::padded),
@@ -231,7 +231,8 @@ void VtuOutput<Dim>::writeFrame(Series& series, const Path& path, double time) {
 
     AtomicFile file(path);
     Appender appender(file, header);
-    for (FieldBase* field : series.fields) appender.add(encode(gatherer_.gather(*field, n).bytes));
+    for (const FieldBase* field : series.fields)
+        appender.add(encode(gatherer_.gather(*field, n).bytes));
     appender.add(encode(gatherer_.gather(*series.position, n).bytes));
     series.cells.update(n);
     appender.add(series.cells.connectivity);

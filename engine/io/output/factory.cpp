@@ -16,15 +16,15 @@ void failAt(const input::Place& place, const std::string& message) {
 }
 
 template <int Dim>
-FieldBase& fieldOf(const Body<Dim>& body, const input::Name& field) {
-    if (FieldBase* found = body.particles.find(field.text)) return *found;
+const FieldBase& fieldOf(const Body<Dim>& body, const input::Name& field) {
+    if (const FieldBase* found = body.particles.find(field.text)) return *found;
     std::vector<std::string> names;
     for (const auto& one : body.particles.all()) names.emplace_back(one->info().name);
     failAt(field.place, "'" + body.name + "' has no field '" + field.text + "' in this case" +
                             input::didYouMean(field.text, names));
 }
 
-template FieldBase& fieldOf(const Body<2>&, const input::Name&);
-template FieldBase& fieldOf(const Body<3>&, const input::Name&);
+template const FieldBase& fieldOf(const Body<2>&, const input::Name&);
+template const FieldBase& fieldOf(const Body<3>&, const input::Name&);
 
 }  // namespace sphinx::io

@@ -23,7 +23,7 @@ namespace sphinx::io {
 /// as long as the outputs.
 template <int Dim>
 struct OutputContext {
-    const World<Dim>& world;
+    World<Dim>& world;
     Relations<Dim>& relations;
     Path folder;  ///< of the results; it exists when outputs write
     input::UnitSystem units;
@@ -71,6 +71,6 @@ OutputFactory outputFactory(Make make) {
 
 /// The field of the body that the case names; failAt() when it has none.
 template <int Dim>
-FieldBase& fieldOf(const Body<Dim>& body, const input::Name& field);
+const FieldBase& fieldOf(const Body<Dim>& body, const input::Name& field);
 
 }  // namespace sphinx::io

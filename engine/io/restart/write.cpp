@@ -47,7 +47,8 @@ const char* rankName(Rank rank) {
     return "integer";
 }
 
-void writeField(Stream& stream, FieldBase& field, std::size_t particles, RestartEncoding encoding) {
+void writeField(Stream& stream, const FieldBase& field, std::size_t particles,
+                RestartEncoding encoding) {
     const bool integers = field.info().rank == Rank::integer;
     stream.write("<field" + attribute("name", field.info().name) +
                  attribute("rank", rankName(field.info().rank)) +

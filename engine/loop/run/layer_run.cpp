@@ -40,7 +40,7 @@ LayerRun::LayerRun(const Layer& layer, double start_time, LayerRun* parent)
     }
 }
 
-void LayerRun::connectTriggers(const LayerRun& outermost) {
+void LayerRun::connectTriggers(LayerRun& outermost) {
     for (Line& line : lines_) {
         if (auto* inner = std::get_if<std::unique_ptr<LayerRun>>(&line)) {
             (*inner)->connectTriggers(outermost);
@@ -57,16 +57,12 @@ bool LayerRun::isInside(const LayerRun* other) const {
     return this == other || (parent_ && parent_->isInside(other));
 }
 
-const LayerRun* LayerRun::find(std::string_view name) const {
-    if (name.empty() || name == layer_.name) return this;
-    for (const Line& line : lines_)
-        if (const auto* inner = std::get_if<std::unique_ptr<LayerRun>>(&line))
-            if (const LayerRun* found = (*inner)->find(name)) return found;
-    return nullptr;
-}
-
 LayerRun* LayerRun::find(std::string_view name) {
-    return const_cast<LayerRun*>(std::as_const(*this).find(name));
+    if (name.empty() || name == layer_.name) return this;
+    for (Line& line : lines_)
+        if (auto* inner = std::get_if<std::unique_ptr<LayerRun>>(&line))
+            if (LayerRun* found = (*inner)->find(name)) return found;
+    return nullptr;
 }
 
 void LayerRun::sampleSubsteps(std::function<void(const Clock&)> sampler) {

@@ -45,7 +45,6 @@ class LayerRun {
     const Tally& tally() const { return tally_; }
 
     /// This layer or one inside it; empty means this one; nullptr when there is none.
-    const LayerRun* find(std::string_view name) const;
     LayerRun* find(std::string_view name);
 
     /// Has the sampler called at the end of each substep, with this layer's clock. What it takes is
@@ -58,7 +57,7 @@ class LayerRun {
 
  private:
     LayerRun(const Layer& layer, double start_time, LayerRun* parent);
-    void connectTriggers(const LayerRun& outermost);
+    void connectTriggers(LayerRun& outermost);
     bool isInside(const LayerRun* other) const;
     double estimate();
     /// Substeps from `from` up to `until`; returns the time that was covered.

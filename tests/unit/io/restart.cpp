@@ -93,7 +93,7 @@ template <int Dim>
 bool sameBits(Body<Dim>& a, Body<Dim>& b) {
     if (a.size() != b.size() || a.particles.nextId() != b.particles.nextId()) return false;
     for (const auto& field : a.particles.all()) {
-        FieldBase* other = b.particles.find(field->info().name);
+        const FieldBase* other = b.particles.find(field->info().name);
         if (fieldFingerprint(*field, a.size()) != fieldFingerprint(*other, b.size())) return false;
     }
     return true;

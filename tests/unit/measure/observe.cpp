@@ -21,7 +21,7 @@ constexpr double lattice = 0.012;
 template <int Dim>
 ObserveSource<Dim> observe(Scene<Dim>& scene, Body<Dim>& observer,
                            const std::vector<const FieldInfo*>& fields, bool mean = false) {
-    std::vector<std::vector<FieldBase*>> found;
+    std::vector<std::vector<const FieldBase*>> found;
     for (const FieldInfo* info : fields) {
         found.emplace_back();
         for (Body<Dim>* body : observer.sees)
