@@ -4,6 +4,7 @@
 
 #include "dynamics/context.h"
 #include "dynamics/dynamics.h"
+#include "dynamics/rules.h"
 #include "input/declaration/declaration.h"
 #include "input/declaration/registry.h"
 
@@ -12,8 +13,7 @@
 
 namespace sphinx {
 
-/// Makes a component in both dimensions; Declaration::builder of Kind::dynamics holds
-/// Factory<Method> or Factory<TimeStepMethod>.
+/// Makes a component in both dimensions.
 template <class Product>
 struct Factory {
     std::unique_ptr<Product> (*in2d)(const void* parameters, Context<2>&);
@@ -40,6 +40,14 @@ Factory<Product> factory(Make) {
             }};
 }
 
+/// What Declaration::builder of a method holds; that of a time step is a Factory<TimeStepMethod>.
+struct MethodBuilder {
+    Factory<Method> factory;
+    std::vector<Rule> rules;
+    std::vector<WorldRule> world_rules;
+    std::vector<CaseRule> case_rules;
+};
+
 /// What Action::payload of a method holds: its member functions for both dimensions.
 struct BoundAction {
     ActionCall in2d;
@@ -57,7 +65,7 @@ class DeclaredMethod final : public input::Declared<P> {
  public:
     DeclaredMethod(std::string name, Make make)
         : input::Declared<P>(input::Kind::dynamics, std::move(name)) {
-        this->builder(factory<Method, P>(make));
+        this->builder(MethodBuilder{factory<Method, P>(make), {}, {}, {}});
     }
 
     /// The only action of its method: run(const Clock&). Loop lines call it by the method's name.
@@ -74,7 +82,33 @@ class DeclaredMethod final : public input::Declared<P> {
         return added;
     }
 
+    /// Of the case as it is written: asked once it is read without errors. method.as<P>() are the
+    /// parameters, method.placeOf("...") is where one of them stands.
+    DeclaredMethod& rule(Rule check) {
+        rules().rules.push_back(check);
+        return *this;
+    }
+    /// With the particles at the start, before anything runs. Check: a lambda without captures,
+    /// [](const input::Component& method, auto& built) with a BuiltCase<Dim>.
+    template <class Check>
+    DeclaredMethod& worldRule(Check) {
+        rules().world_rules.push_back(
+            {[](const input::Component& method, BuiltCase<2>& built) { Check{}(method, built); },
+             [](const input::Component& method, BuiltCase<3>& built) { Check{}(method, built); }});
+        return *this;
+    }
+    /// The same about the whole case, once, also when it has no method of this declaration. Check:
+    /// [](auto& built).
+    template <class Check>
+    DeclaredMethod& caseRule(Check) {
+        rules().case_rules.push_back({[](BuiltCase<2>& built) { Check{}(built); },
+                                      [](BuiltCase<3>& built) { Check{}(built); }});
+        return *this;
+    }
+
  private:
+    MethodBuilder& rules() { return std::any_cast<MethodBuilder&>(this->builder_); }
+
     template <int Dim>
     using Made = typename std::invoke_result_t<decltype(&Make::template operator()<Dim>), Make,
                                                const P&, Context<Dim>&>::element_type;

@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/build/field_makers.h"
 
-#include "dynamics/register.h"
-
 #include <algorithm>
 
 namespace sphinx::model {
 
-std::vector<loop::FieldMaker> fieldMakers() {
-    input::Registry registry;
-    registerDynamics(registry);
+std::vector<loop::FieldMaker> fieldMakers(const input::Registry& registry) {
     std::vector<loop::FieldMaker> makers;
     for (const std::string& name : registry.names(input::Kind::dynamics)) {
         const input::Declaration& declaration = *registry.find(input::Kind::dynamics, name);

@@ -93,7 +93,7 @@ Methods<Dim>::Methods(const Case& model, Context<Dim>& context) : world_(&contex
                 c.declaration->builder<Factory<TimeStepMethod>>().make(parameters, context);
         else
             methods_.emplace_back(
-                c.name, c.declaration->builder<Factory<Method>>().make(parameters, context));
+                c.name, c.declaration->builder<MethodBuilder>().factory.make(parameters, context));
     }
     for (const auto& [name, method] : methods_) method->announce();
 }

@@ -30,7 +30,7 @@ class FactsMaker {
                     {body.name, contact.body.text, contact.bonded || (elastic && own)});
             }
         }
-        facts.makers = fieldMakers();
+        facts.makers = fieldMakers(*model_.registry);
         facts.start_time = model_.loop.start_time;
         facts.time_unit = model_.units.suffix(unit::time);
         for (const Step& step : model_.loop.start) facts.start.push_back(line(step));

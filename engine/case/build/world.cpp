@@ -6,10 +6,9 @@
 #include "case/build/initial_values.h"
 #include "case/build/parts.h"
 #include "case/check/elastic.h"
-#include "case/check/loads.h"
 #include "case/check/particles.h"
-#include "case/check/viscosity.h"
 #include "case/check/walls.h"
+#include "case/check/world_rules.h"
 #include "materials/register.h"
 #include "particles/lattice.h"
 
@@ -141,8 +140,7 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
         checkParticles(model, *world, diagnostics);
         checkElastic(model, *world, diagnostics);
         checkWalls(model, *world, diagnostics);
-        checkViscosity(model, diagnostics);
-        checkLoads(model, *world, diagnostics);
+        checkWorldRules(model, *world, diagnostics);
     }
     return world;
 }

@@ -9,8 +9,7 @@
 namespace sphinx::model {
 
 /// Elastic bodies, with those bonded to them, do not reach across a periodic side of the domain:
-/// their particles would be neighbors of those at the other end, a whole domain away. All steps of
-/// a body have the same hourglass control.
+/// their particles would be neighbors of those at the other end, a whole domain away.
 template <int Dim>
 void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
 

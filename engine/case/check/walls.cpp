@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check/walls.h"
 
-#include "dynamics/geometry/normals_from_shape.h"
-
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -48,22 +46,6 @@ void checkThickness(const Body& source, const World<Dim>& world, const sphinx::B
                         fluid.name, layers_needed));
 }
 
-/// Normals from the shape want a shape, of the body and of those joined to it.
-void checkNormals(const Case& model, input::Diagnostics& diagnostics) {
-    for (const Component& method : model.dynamics) {
-        if (method.declaration->name() != "geometry.normals_from_shape") continue;
-        const auto& p = method.as<geometry::NormalsFromShapeParameters>();
-        std::vector<Name> names{p.body};
-        names.insert(names.end(), p.joined.begin(), p.joined.end());
-        for (const Name& name : names)
-            if (const Body* body = model.findBody(name.text); body && body->shape.empty())
-                diagnostics.error(name.place,
-                                  fmt::format("{} has no shape that tells the normal of its "
-                                              "surface: its particles are given one by one",
-                                              name.text));
-    }
-}
-
 /// A rigid body acts on those that see it, and on nothing else.
 void checkSeen(const Case& model, input::Diagnostics& diagnostics) {
     for (const Body& wall : model.bodies) {
@@ -86,7 +68,6 @@ void checkSeen(const Case& model, input::Diagnostics& diagnostics) {
 
 template <int Dim>
 void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
-    checkNormals(model, diagnostics);
     checkSeen(model, diagnostics);
     for (const auto& solid : world.bodies) {
         if (!solid->isSolid()) continue;

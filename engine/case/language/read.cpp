@@ -4,6 +4,7 @@
 
 #include "case/language/changes.h"
 #include "case/language/phases.h"
+#include "case/language/rules.h"
 #include "core/read_file.h"
 #include "input/expressions/decimal.h"
 #include "input/tree/load.h"
@@ -66,6 +67,9 @@ Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnost
     Case model = makeModel(block, reader.units, diagnostics);
     diagnostics.throwIfErrors();
 
+    model.registry = &registry;
+    checkRules(model, diagnostics);
+    diagnostics.throwIfErrors();
     warnUnused(block, reader);
     warnChanges(model, block.version, languageChanges(), diagnostics);
     model.state_version = stateVersion(model, languageChanges());

@@ -151,24 +151,6 @@ class SenseCheck {
                                fmt::format("{} sums over the particles of {} itself: its "
                                            "topology lacks 'self'",
                                            type, body.text));
-        const Name from = bodyOf(method, "from");
-        if (!from.text.empty() && !sees(from.text, body.text))
-            diagnostics_.error(from.place,
-                               fmt::format("{} does not see {}: the topology of {} lacks "
-                                           "'{}'",
-                                           from.text, body.text, from.text, body.text));
-        if (type != "solid.stress_relaxation") return;
-        for (const Component& other : block_.dynamics) {
-            if (&other == &method) break;
-            const Name moved = bodyOf(other, "body");
-            if (other.declaration->name() == type && bonded(body.text, moved.text))
-                diagnostics_.error(
-                    body.place,
-                    fmt::format("{} and {} are bonded and both move: make them one body, or move "
-                                "one of them and keep the stress of the other by "
-                                "solid.stress_update",
-                                moved.text, body.text));
-        }
     }
     static Name bodyOf(const Component& method, std::string_view parameter) {
         std::vector<Name> names;
@@ -181,14 +163,6 @@ class SenseCheck {
             if (name.text == body)
                 for (const ContactBlock& contact : contacts)
                     if (contact.body.text == other) return true;
-        return false;
-    }
-    bool bonded(const std::string& one, const std::string& other) const {
-        for (const auto& [name, contacts] : block_.topology)
-            for (const ContactBlock& contact : contacts)
-                if (contact.bonded && ((name.text == one && contact.body.text == other) ||
-                                       (name.text == other && contact.body.text == one)))
-                    return true;
         return false;
     }
     BodyKind kindOf(const std::string& name) const {

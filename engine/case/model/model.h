@@ -6,6 +6,7 @@
 #include "bodies/world.h"
 #include "geometry/shape.h"
 #include "input/declaration/component.h"
+#include "input/declaration/registry.h"
 #include "input/expressions/units.h"
 #include "loop/plan/window.h"
 
@@ -145,6 +146,7 @@ struct Output : Component {
 
 /// A whole case as plain data: no particles. Entries stand in the order of the file.
 struct Case {
+    const input::Registry* registry = nullptr;  ///< by which it was read; it lives longer
     std::string path;
     std::string title;
     int dimension = 2;

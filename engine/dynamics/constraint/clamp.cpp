@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/constraint/clamp.h"
 
+#include <fmt/format.h>
+
 namespace sphinx::constraint {
 
 template <int Dim>
@@ -44,6 +46,23 @@ void Clamp<Dim>::run(const Clock& clock) {
         velocity_[link.image] += link.weight * velocity_[link.real];
 }
 
+namespace {
+
+/// Some of the body must be left to move.
+template <int Dim>
+void checkRest(const input::Component& method, BuiltCase<Dim>& built) {
+    const auto& p = method.as<ClampParameters>();
+    const Part<Dim> part(built.world, p.part);
+    if (part.size() < part.body().size()) return;
+    built.diagnostics.error(
+        p.part.place,
+        fmt::format("nothing of {} would be left to move: a clamp needs a part of it, "
+                    "on whose surface it holds the other particles",
+                    part.body().name));
+}
+
+}  // namespace
+
 void declareClamp(input::Registry& registry) {
     using P = ClampParameters;
     auto& d = declareMethod<P>(
@@ -60,6 +79,7 @@ void declareClamp(input::Registry& registry) {
     d.cite("Libersky et al. 1993", "(mirror particles)");
     d.required("part", &P::part, input::partReference({"elastic"}),
                "part of a body; particles that it covers by more than a quarter have no mass");
+    d.worldRule([](const auto& method, auto& built) { checkRest(method, built); });
     d.action("between the halves of the step, and at the start before the correction")
         .reads("part", {"initial_position", "volume", "velocity", "mass", "acceleration",
                         "external_acceleration", "pressure_force", "viscous_force"})

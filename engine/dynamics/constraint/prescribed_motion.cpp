@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sphinx::constraint {
@@ -133,6 +134,31 @@ void PrescribedWallMotion<Dim>::rest() {
     });
 }
 
+namespace {
+
+/// The particles start where the shape has them.
+template <int Dim>
+void checkStart(const input::Component& method, BuiltCase<Dim>& built) {
+    const auto& p = method.as<PrescribedMotionParameters>();
+    const Part<Dim> part(built.world, p.part);
+    const input::VectorAtTime<Dim> displacement(p.displacement, built.start_time);
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        const Vec<Dim>& x = part.body().particles.position()[part[n]];
+        Vec<Dim> u = displacement(x);
+        for (int c = 0; c < Dim && !p.directions.empty(); ++c)
+            if (std::ranges::find(p.directions, c) == p.directions.end()) u[c] = 0;
+        if (u.norm() <= 1e-9 * part.body().spacing) continue;
+        built.diagnostics.error(
+            method.placeOf("displacement"),
+            fmt::format("the displacement at {} is {} at the start, but must be zero there: the "
+                        "particles start where the shape has them",
+                        built.world.placeText(x), built.world.placeText(u)));
+        return;
+    }
+}
+
+}  // namespace
+
 void declarePrescribedMotion(input::Registry& registry) {
     using P = PrescribedMotionParameters;
     auto& d = declareMethod<P>(
@@ -159,6 +185,7 @@ void declarePrescribedMotion(input::Registry& registry) {
                "each direction; zero at the start");
     d.optional("directions", &P::directions, input::axes(),
                "axes along which the motion is prescribed; without: all");
+    d.worldRule([](const auto& method, auto& built) { checkStart(method, built); });
     d.action(
          "elastic: between the halves of the step; rigid: before the fluid's step, whose "
          "neighbors are stale from then on")

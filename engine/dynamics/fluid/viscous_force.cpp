@@ -6,6 +6,10 @@
 #include "core/parallel.h"
 #include "dynamics/pair_loop.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace sphinx::fluid {
 namespace {
 
@@ -204,6 +208,37 @@ void ViscousForce<Dim>::addForces(const typename Surroundings<Dim>::Wall& wall,
     });
 }
 
+namespace {
+
+template <int Dim>
+void checkEffect(const input::Component& method, BuiltCase<Dim>& built) {
+    const std::string& body = method.as<ViscousForceParameters>().body.text;
+    if (built.calls(method) && built.world.find(body)->fluid().material->viscosity() == 0)
+        built.diagnostics.warning(
+            method.place, fmt::format("{} does nothing: the viscosity of {} is 0", method.name,
+                                      built.materials.at(body)->name));
+}
+
+/// No viscosity is forgotten.
+template <int Dim>
+void checkApplied(BuiltCase<Dim>& built) {
+    for (const auto& body : built.world.bodies) {
+        if (!body->isFluid() || body->fluid().material->viscosity() == 0) continue;
+        const bool applied = std::ranges::any_of(built.called, [&](const input::Component* method) {
+            const auto* p = method->template find<ViscousForceParameters>();
+            return p && p->body.text == body->name;
+        });
+        if (!applied)
+            built.diagnostics.warning(
+                built.materials.at(body->name)->placeOf("viscosity"),
+                fmt::format("nothing applies the viscosity of {}: the loop calls no "
+                            "fluid.viscous_force for it",
+                            body->name));
+    }
+}
+
+}  // namespace
+
 void declareViscousForce(input::Registry& registry) {
     using P = ViscousForceParameters;
     auto& d = declareMethod<P>(registry, "fluid.viscous_force",
@@ -233,6 +268,8 @@ void declareViscousForce(input::Registry& registry) {
                }),
                "sum over pairs");
     d.trait("sums_over_itself");
+    d.worldRule([](const auto& method, auto& built) { checkEffect(method, built); });
+    d.caseRule([](auto& built) { checkApplied(built); });
     d.action()
         .reads("body", {"velocity", "mass", "volume", "neighbors"})
         .reads("neighbors.solid", {"normal", "depth", "volume"})

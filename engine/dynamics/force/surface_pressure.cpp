@@ -5,8 +5,10 @@
 #include "core/parallel.h"
 #include "input/expressions/vector_at_time.h"
 
+#include <fmt/format.h>
 #include <Eigen/LU>
 
+#include <cmath>
 #include <optional>
 
 namespace sphinx::force {
@@ -53,6 +55,35 @@ void SurfacePressure<Dim>::run(const Clock& clock) {
     });
 }
 
+namespace {
+
+/// The normal has a direction, or the body a shape that tells it.
+template <int Dim>
+void checkNormal(const input::Component& method, BuiltCase<Dim>& built) {
+    const auto& p = method.as<SurfacePressureParameters>();
+    const Part<Dim> part(built.world, p.part);
+    if (p.normal.empty()) {
+        if (!part.body().shape)
+            built.diagnostics.error(method.place,
+                                    fmt::format("{} has no shape that tells the normal of its "
+                                                "surface: give 'normal'",
+                                                part.body().name));
+        return;
+    }
+    const input::VectorAtTime<Dim> normal(p.normal, 0);
+    for (std::size_t n = 0; n < part.size(); ++n) {
+        const Vec<Dim>& x = part.body().particles.position()[part[n]];
+        const double length = normal(x).norm();
+        if (length > 0 && std::isfinite(length)) continue;
+        built.diagnostics.error(method.placeOf("normal"),
+                                fmt::format("the normal has no direction at {}: its length is {:g}",
+                                            built.world.placeText(x), length));
+        return;
+    }
+}
+
+}  // namespace
+
 void declareSurfacePressure(input::Registry& registry) {
     using P = SurfacePressureParameters;
     auto& d = declareMethod<P>(
@@ -83,6 +114,7 @@ void declareSurfacePressure(input::Registry& registry) {
                 return "the normal is that at the start: it must not depend on time";
         return "";
     });
+    d.worldRule([](const auto& method, auto& built) { checkNormal(method, built); });
     d.action("before the first half of the body's step, in the same layer")
         .reads("part", {"initial_position", "position", "velocity", "volume", "mass",
                         "deformation_gradient", "deformation_rate"})

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/fsi/fluid_force.h"
 
+#include <fmt/format.h>
+
 namespace sphinx::fsi {
 
 template <int Dim>
@@ -18,6 +20,14 @@ template <int Dim>
 void FluidForce<Dim>::run(const Clock&) {
     if (const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind_))
         load->addForces(*solid_, relation_->list, force_);
+}
+
+void checkSight(const input::Component& method, WrittenCase& written) {
+    const auto& [body, from] = method.as<FluidForceParameters>();
+    if (!written.sees(from.text, body.text))
+        written.diagnostics.error(
+            from.place, fmt::format("{} does not see {}: the topology of {} lacks '{}'", from.text,
+                                    body.text, from.text, body.text));
 }
 
 template class FluidForce<2>;

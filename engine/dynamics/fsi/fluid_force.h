@@ -31,4 +31,7 @@ class FluidForce : public Method {
     Field<Vec<Dim>>& force_;
 };
 
+/// A rule: a fluid pushes the bodies that it sees.
+void checkSight(const input::Component& method, WrittenCase& written);
+
 }  // namespace sphinx::fsi

@@ -20,6 +20,7 @@ void declarePressureForce(input::Registry& registry) {
     d.cite("guide", "2.2.4").cite("Zhang, Rezavand & Hu 2021");
     d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
     d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that pushes it");
+    d.rule(checkSight);
     d.action()
         .reads("body", {"normal", "volume", "average_velocity", "neighbors"})
         .reads("from", {"pressure", "density", "volume", "external_acceleration"})

@@ -124,6 +124,24 @@ void NormalsFromShape<Dim>::run(const Clock&) {
     });
 }
 
+namespace {
+
+/// Normals from the shape want a shape, of the body and of those joined to it.
+template <int Dim>
+void checkShapes(const input::Component& method, BuiltCase<Dim>& built) {
+    const auto& p = method.as<NormalsFromShapeParameters>();
+    std::vector<input::Name> names{p.body};
+    names.insert(names.end(), p.joined.begin(), p.joined.end());
+    for (const input::Name& name : names)
+        if (!built.world.find(name.text)->shape)
+            built.diagnostics.error(name.place,
+                                    fmt::format("{} has no shape that tells the normal of its "
+                                                "surface: its particles are given one by one",
+                                                name.text));
+}
+
+}  // namespace
+
 void declareNormalsFromShape(input::Registry& registry) {
     using P = NormalsFromShapeParameters;
     auto& d = declareMethod<P>(
@@ -136,6 +154,7 @@ void declareNormalsFromShape(input::Registry& registry) {
     d.required("body", &P::body, input::bodyReference({"solid"}), "solid body with a shape");
     d.optional("joined", &P::joined, input::list(input::bodyReference({"solid"})),
                "solid bodies that it touches: where they meet is no surface");
+    d.worldRule([](const auto& method, auto& built) { checkShapes(method, built); });
     d.action().reads("body", {"position"}).writes("body", {"normal", "initial_normal", "depth"});
 }
 

@@ -9,6 +9,9 @@
 #include "dynamics/solid/stress_relaxation.h"
 
 #include "core/parallel.h"
+#include "dynamics/solid/hourglass_rule.h"
+
+#include <fmt/format.h>
 
 namespace sphinx::solid {
 
@@ -52,6 +55,25 @@ void StressRelaxation<Dim>::secondHalf(const Clock& clock) {
     ++body_->version;
 }
 
+namespace {
+
+/// Of two bodies that are bonded one moves, the other hands its stress on.
+void checkBonded(const input::Component& method, WrittenCase& written) {
+    const input::Name& body = method.as<StressRelaxationParameters>().body;
+    for (const input::Component* other : written.methods) {
+        if (other == &method) break;
+        const auto* p = other->find<StressRelaxationParameters>();
+        if (p && written.bonded(body.text, p->body.text))
+            written.diagnostics.error(
+                body.place,
+                fmt::format("{} and {} are bonded and both move: make them one body, or move one "
+                            "of them and keep the stress of the other by solid.stress_update",
+                            p->body.text, body.text));
+    }
+}
+
+}  // namespace
+
 void declareStressRelaxation(input::Registry& registry) {
     using P = StressRelaxationParameters;
     auto& d = declareMethod<P>(
@@ -75,6 +97,8 @@ void declareStressRelaxation(input::Registry& registry) {
         "whether the Kelvin-Voigt damping of the material acts; two methods, one with and one "
         "without, can share the time of a run");
     d.trait("sums_over_itself");
+    d.rule(checkBonded);
+    d.rule(checkHourglassControl);
     d.action("first_half",
              "deformation, stress and position to the half step; velocity by a whole "
              "step",

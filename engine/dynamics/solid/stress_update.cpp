@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/solid/stress_update.h"
 
+#include "dynamics/solid/hourglass_rule.h"
+
 namespace sphinx::solid {
 
 void declareStressUpdate(input::Registry& registry) {
@@ -20,6 +22,7 @@ void declareStressUpdate(input::Registry& registry) {
     d.optional("hourglass_control", &P::hourglass_control, input::boolean(),
                "as in solid.stress_relaxation of the bodies bonded to it");
     d.trait("sums_over_itself");
+    d.rule(checkHourglassControl);
     d.action("first_half", "deformation and stress to the half step",
              [](auto& method, const Clock& clock) { method.firstHalf(clock); })
         .reads("body", {"initial_position", "velocity", "volume", "correction_matrix",

@@ -19,6 +19,11 @@ struct Component {
         assert(declaration->parametersType() == typeid(P));
         return *static_cast<const P*>(parameters.get());
     }
+    /// The parameters if they are of that type, or nullptr.
+    template <class P>
+    const P* find() const {
+        return declaration->parametersType() == typeid(P) ? &as<P>() : nullptr;
+    }
     /// Where the parameter was given, or the place of the entry when it is a default.
     Place placeOf(std::string_view parameter) const {
         for (const auto& [name, given] : parameter_places)

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/world.h"
+#include "case/model/model.h"
+#include "input/tree/diagnostics.h"
+
+namespace sphinx::model {
+
+/// Asks the rules that want the particles at the start (DeclaredMethod::worldRule, caseRule).
+template <int Dim>
+void checkWorldRules(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
+
+}  // namespace sphinx::model

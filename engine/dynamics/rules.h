@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "bodies/world.h"
+#include "input/declaration/component.h"
+#include "input/tree/diagnostics.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sphinx {
+
+/// What the rules of methods see of a case as it is written. They report to `diagnostics`, at the
+/// place of a parameter.
+struct WrittenCase {
+    using Components = std::vector<const input::Component*>;
+    /// A line of `topology`; what sees itself is `seen` by its own name.
+    struct Sight {
+        std::string body;
+        std::string seen;
+        bool bonded = false;
+    };
+
+    double start_time = 0;  ///< case units
+    Components methods;     ///< in the order of the case
+    Components called;      ///< those of them that the loop calls: no others act
+    std::vector<Sight> topology;
+    std::map<std::string, const input::Component*, std::less<>> materials;  ///< by body
+    input::Diagnostics& diagnostics;
+
+    bool calls(const input::Component& method) const {
+        return std::ranges::find(called, &method) != called.end();
+    }
+    bool sees(std::string_view body, std::string_view other) const {
+        return std::ranges::any_of(
+            topology, [&](const Sight& s) { return s.body == body && s.seen == other; });
+    }
+    /// In either direction.
+    bool bonded(std::string_view one, std::string_view other) const {
+        return std::ranges::any_of(topology, [&](const Sight& s) {
+            return s.bonded &&
+                   ((s.body == one && s.seen == other) || (s.body == other && s.seen == one));
+        });
+    }
+};
+
+/// The same with the world at the start of a run, its particles included.
+template <int Dim>
+struct BuiltCase : WrittenCase {
+    const World<Dim>& world;
+};
+
+/// A rule about each method of a declaration.
+using Rule = void (*)(const input::Component& method, WrittenCase&);
+
+/// The same with the particles, in both dimensions.
+struct WorldRule {
+    void (*in2d)(const input::Component& method, BuiltCase<2>&);
+    void (*in3d)(const input::Component& method, BuiltCase<3>&);
+
+    void check(const input::Component& method, BuiltCase<2>& built) const { in2d(method, built); }
+    void check(const input::Component& method, BuiltCase<3>& built) const { in3d(method, built); }
+};
+
+/// A rule about the whole case, whether or not it has a method of the declaration.
+struct CaseRule {
+    void (*in2d)(BuiltCase<2>&);
+    void (*in3d)(BuiltCase<3>&);
+
+    void check(BuiltCase<2>& built) const { in2d(built); }
+    void check(BuiltCase<3>& built) const { in3d(built); }
+};
+
+}  // namespace sphinx
