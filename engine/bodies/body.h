@@ -41,8 +41,14 @@ struct Body {
     /// Counts every change of positions or order of the particles: a list that was built at
     /// another count is stale.
     std::uint64_t version = 0;
+    /// Parts and shares follow particles that come, go or change places in memory.
+    RemapSubscription remapped{particles.remaps(), [this](const Remap& remap) { follow(remap); }};
 
+    /// Own particles, and those with copies of other processes' (ParticleSet::held).
     std::size_t size() const { return particles.size(); }
+    std::size_t held() const { return particles.held(); }
+    /// Finds the particles of the parts, and the shares, anew from the initial positions.
+    void findParts() { follow(Remap(std::size_t{0}, size(), size())); }
 
     Role roleName() const { return static_cast<Role>(role.index()); }
     bool isFluid() const { return std::holds_alternative<FluidRole<Dim>>(role); }
@@ -88,6 +94,7 @@ struct Body {
         assert(found && "the body has another role");
         return *found;
     }
+    void follow(const Remap& remap);
 };
 
 }  // namespace sphinx

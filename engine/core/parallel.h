@@ -53,13 +53,14 @@ void parallelFor(std::size_t n, Body&& body, std::size_t grain = default_grain) 
         grain);
 }
 
-/// Reduction with bits that do not depend on the number of threads: fixed blocks of `block` indices
-/// are reduced by `range(begin, end) -> T` and joined in order by `join(a, b)`.
+/// Reduction over particles of this process with bits that do not depend on the number of threads:
+/// fixed blocks of `block` indices are reduced by `range(begin, end) -> T` and joined in order by
+/// `join(a, b)`. `identity`: of nothing.
 template <class T, class RangeReduction, class Join>
-T parallelReduce(std::size_t n, T identity, RangeReduction&& range, Join&& join,
-                 std::size_t block = 1024) {
+T reduceLocal(std::size_t n, T identity, RangeReduction&& range, Join&& join,
+              std::size_t block = 1024) {
     const std::size_t blocks = (n + block - 1) / block;
-    if (blocks <= 1) return n == 0 ? identity : join(identity, range(std::size_t{0}, n));
+    if (blocks <= 1) return n == 0 ? identity : range(std::size_t{0}, n);
     std::vector<T> partial(blocks, identity);
     parallelFor(
         blocks,
@@ -73,24 +74,31 @@ T parallelReduce(std::size_t n, T identity, RangeReduction&& range, Join&& join,
     return result;
 }
 
-/// Sum over all indices of value(i), same bits for any number of threads.
-template <class Value>
-auto parallelSum(std::size_t n, Value&& value) {
-    using T = std::decay_t<decltype(value(std::size_t{0}))>;
-    return parallelReduce(
-        n, T{},
-        [&](std::size_t begin, std::size_t end) {
-            T sum{};
-            for (std::size_t i = begin; i < end; ++i) sum += value(i);
-            return sum;
-        },
-        [](T a, const T& b) { return a += b; });
+/// The same over the particles of the whole run, for what the motion or a result depends on. This
+/// is where several processes would join theirs; today a run is one process.
+template <class T, class RangeReduction, class Join>
+T reduceAll(std::size_t n, T identity, RangeReduction&& range, Join&& join,
+            std::size_t block = 1024) {
+    return reduceLocal(n, identity, range, join, block);
 }
 
-/// Largest value(i), or `floor` when there is none.
+/// How many of the indices have the property, in this process.
+template <class Property>
+std::size_t countLocal(std::size_t n, Property&& has) {
+    return reduceLocal(
+        n, std::size_t{0},
+        [&](std::size_t begin, std::size_t end) {
+            std::size_t count = 0;
+            for (std::size_t i = begin; i < end; ++i) count += has(i) ? 1 : 0;
+            return count;
+        },
+        [](std::size_t a, std::size_t b) { return a + b; });
+}
+
+/// Largest value(i) of the run, or `floor` when there is none.
 template <class Value>
-double parallelMax(std::size_t n, double floor, Value&& value) {
-    return parallelReduce(
+double maxAll(std::size_t n, double floor, Value&& value) {
+    return reduceAll(
         n, floor,
         [&](std::size_t begin, std::size_t end) {
             double largest = floor;

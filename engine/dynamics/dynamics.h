@@ -12,9 +12,6 @@
 
 namespace sphinx {
 
-/// Where the particles of a run come from.
-enum class Origin { start, restart };
-
 /// One entry of `dynamics`: its actions, which the declaration binds to member functions, run when
 /// lines of the loop call them. Constructors ask for fields and relations; they change no body.
 class Method {
@@ -26,8 +23,9 @@ class Method {
     /// particles yet.
     virtual void announce() {}
     /// Once, when the particles are there and before anything runs: builds what follows from the
-    /// initial configuration, such as its lists.
-    virtual void prepare(Origin) {}
+    /// initial configuration, such as its lists. What names particles by their places is built
+    /// again by the method itself when ParticleSet::arrangement() has changed.
+    virtual void prepare() {}
     /// Particles that one call works on, for the profile's ns per particle.
     virtual std::size_t workSize() const = 0;
     /// The window of a line that has called it is over (`until`): takes back what it has left for

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/sum_all.h"
 #include "core/types.h"
 
 namespace sphinx {
@@ -40,5 +41,19 @@ struct Load {
         return *this;
     }
 };
+
+namespace detail {
+/// For sumAll(): the components of the force, then those of the moment.
+template <int Dim>
+struct Summand<Load<Dim>> {
+    static constexpr int size = Dim + static_cast<int>(Moment<Dim>::SizeAtCompileTime);
+    static double of(const Load<Dim>& load, int k) {
+        return k < Dim ? load.force[k] : load.moment[k - Dim];
+    }
+    static void set(Load<Dim>& load, int k, double value) {
+        (k < Dim ? load.force[k] : load.moment[k - Dim]) = value;
+    }
+};
+}  // namespace detail
 
 }  // namespace sphinx

@@ -4,7 +4,7 @@
 
 #include "bodies/shares.h"
 #include "bodies/world.h"
-#include "core/parallel.h"
+#include "core/sum_all.h"
 #include "input/types/values.h"
 
 namespace sphinx {
@@ -46,7 +46,7 @@ class Part {
     /// Of all its particles.
     double mass() const {
         const auto& mass = body_->particles.scalar(fields::mass);
-        return parallelSum(size(), [&](std::size_t n) { return mass[(*this)[n]]; });
+        return sumAll(size(), [&](std::size_t n) { return mass[(*this)[n]]; });
     }
 
  private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/observe.h"
 
+#include "core/exact_total.h"
 #include "io/file/compress.h"
 #include "io/series/columns.h"
 #include "io/series/rows_output.h"
@@ -63,15 +64,15 @@ void ObserveSource<Dim>::sample(const Clock&, std::span<double> row) {
         values_.assign(points * width, 0);
         for (std::size_t point = 0; point < points; ++point) {
             double* value = values_.data() + point * width;
-            if (weights_->of(point).empty()) std::fill_n(value, width, nan_value);
-            for (const ParticleWeight& one : weights_->of(point)) {
-                const double* from = field[one.body]->numbers() + width * one.particle;
-                for (std::size_t c = 0; c < width; ++c) {
-                    // Matrices stand in memory column by column.
-                    const std::size_t source =
-                        info.rank == Rank::matrix ? c % Dim * Dim + c / Dim : c;
-                    value[c] += one.weight * from[source];
-                }
+            const std::vector<ParticleWeight>& weights = weights_->of(point);
+            for (std::size_t c = 0; c < width; ++c) {
+                // Matrices stand in memory column by column.
+                const std::size_t source = info.rank == Rank::matrix ? c % Dim * Dim + c / Dim : c;
+                ExactTotal total;
+                for (const ParticleWeight& one : weights)
+                    total.add(one.weight *
+                              field[one.body]->numbers()[width * one.particle + source]);
+                value[c] = weights.empty() ? nan_value : total.value();
             }
         }
         addRow(values_, width, row);

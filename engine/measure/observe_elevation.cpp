@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/observe_elevation.h"
 
+#include "core/exact_total.h"
 #include "core/parallel.h"
 #include "io/series/columns.h"
 
@@ -85,17 +86,15 @@ double ElevationSource<Dim>::elevation(const Vec<Dim>& point) const {
         auto near = std::partition_point(particles.begin(), particles.end(), [&](const Near& one) {
             return one.height > height + reach;
         });
-        double fluid = 0;
-        double space = 1;
+        ExactTotal fluids, solids;
         for (; near != particles.end() && near->height > height - reach; ++near) {
             const double along = near->height - height;
             const double part = near->volume * fillers_[near->filler].body->kernel.value(
                                                    std::sqrt(near->distance2 + along * along));
-            if (near->filler < fluids_)
-                fluid += part;
-            else
-                space -= part;
+            (near->filler < fluids_ ? fluids : solids).add(part);
         }
+        const double fluid = fluids.value();
+        const double space = 1 - solids.value();
         return space >= least_space && fluid >= 0.5 * space;
     };
     const double step = 0.25 * spacing_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace sphinx::io {
 namespace {
@@ -44,10 +45,14 @@ void MaterialWeights<Dim>::attach() {
     ObserveWeights<Dim>::update();
     attached_.resize(this->points());
     for (std::size_t point = 0; point < attached_.size(); ++point) {
+        // By their numbers, wherever they stand in memory.
+        const auto id = [&](const ParticleWeight& one) {
+            return std::pair(one.body, this->bodies()[one.body]->particles.id()[one.particle]);
+        };
+        std::ranges::sort(weights_[point], {}, id);
         for (const ParticleWeight& one : weights_[point])
             attached_[point].anchors.push_back(
-                {one.body, this->bodies()[one.body]->particles.id()[one.particle], one.particle,
-                 one.weight * coverage_[point]});
+                {one.body, id(one).second, one.particle, one.weight * coverage_[point]});
         attached_[point].offset = domain_->difference(observer_->particles.position()[point],
                                                       meanPosition(weights_[point]));
     }

@@ -3,6 +3,7 @@
 #include "measure/observe_weights.h"
 
 #include "core/errors.h"
+#include "core/exact_total.h"
 #include "core/parallel.h"
 
 namespace sphinx::io {
@@ -34,7 +35,7 @@ void ObserveWeights<Dim>::update() {
         [&](std::size_t point) {
             std::vector<ParticleWeight>& weights = weights_[point];
             weights.clear();
-            double sum = 0;
+            ExactTotal total;
             for (std::size_t b = 0; b < seen_.size(); ++b) {
                 const NeighborList<Dim>& list = seen_[b]->list;
                 const Kernel<Dim>& kernel = seen_[b]->to->kernel;
@@ -45,11 +46,11 @@ void ObserveWeights<Dim>::update() {
                     const double weight = (*volume_[b])[j] * kernel.value(r);
                     if (!(weight > 0)) continue;
                     weights.push_back({static_cast<std::uint32_t>(b), j, weight});
-                    sum += weight;
+                    total.add(weight);
                 }
             }
-            for (ParticleWeight& one : weights) one.weight /= sum;
-            coverage_[point] = sum;
+            coverage_[point] = total.value();
+            for (ParticleWeight& one : weights) one.weight /= coverage_[point];
         },
         64);
 }

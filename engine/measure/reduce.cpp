@@ -61,6 +61,18 @@ std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
     return makeForceSource<Dim>(body, p.body.place, context, about);
 }
 
+/// What is written, in the words of the case: a resumed run that writes something else begins its
+/// mean anew.
+std::string formOf(const ReduceParameters& p, const input::Component& component) {
+    const auto word = [&](const char* name) {
+        const input::Parameter& parameter = *component.declaration->parameter(name);
+        return parameter.type->write(parameter.in(component.parameters.get()), nullptr).text;
+    };
+    std::string form = word("quantity") + " of " + p.body.text;
+    if (p.axis) form += " along " + word("axis");
+    return form;
+}
+
 }  // namespace
 
 void declareReduce(input::Registry& registry) {
@@ -104,8 +116,7 @@ void declareReduce(input::Registry& registry) {
     });
     d.builder(outputFactory<P>([]<int Dim>(const P& p, const input::Component& component,
                                            const OutputContext<Dim>& context) {
-        return makeRowsOutput(component, context,
-                              {p, "reduction " + std::to_string(static_cast<int>(p.quantity))},
+        return makeRowsOutput(component, context, {p, formOf(p, component)},
                               makeSource(p, component, context));
     }));
 }

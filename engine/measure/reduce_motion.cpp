@@ -2,28 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/reduce_motion.h"
 
-#include "core/parallel.h"
+#include "core/sum_all.h"
 #include "dynamics/solid/internal_energy.h"
 #include "io/series/columns.h"
 #include "materials/fluid_laws.h"
 #include "measure/reduce.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace sphinx::io {
 namespace {
-
-/// Several sums in one pass.
-template <int N>
-struct Sums {
-    std::array<double, N> values{};
-
-    Sums& operator+=(const Sums& other) {
-        for (int k = 0; k < N; ++k) values[k] += other.values[k];
-        return *this;
-    }
-};
 
 template <class T, int Dim>
 const Field<T>& require(const ReducedBody<Dim>& reduced, const FieldInfo& info) {
@@ -54,18 +44,18 @@ struct Motion {
 template <int N, int Dim, class Term>
 std::unique_ptr<SeriesSource> sums(std::vector<SeriesQuantity> quantities, const Body<Dim>* body,
                                    Term term) {
-    return std::make_unique<ReduceSource>(std::move(quantities), [body,
-                                                                  term](std::span<double> row) {
-        const auto sum = parallelSum(body->size(), [&](std::size_t i) { return Sums<N>{term(i)}; });
-        for (int k = 0; k < N; ++k) row[k] = sum.values[k];
-    });
+    return std::make_unique<ReduceSource>(
+        std::move(quantities), [body, term](std::span<double> row) {
+            const std::array<double, N> sum = sumAll(body->size(), term);
+            std::copy(sum.begin(), sum.end(), row.begin());
+        });
 }
 
 /// sum of m e(rho)
 template <int Dim>
 double fluidEnergy(const Motion<Dim>& motion, const Field<double>& density) {
     return withLaw(*motion.body->fluid().material, [&](const auto& law) {
-        return parallelSum(motion.body->size(), [&](std::size_t i) {
+        return sumAll(motion.body->size(), [&](std::size_t i) {
             return motion.mass(i) * law.internalEnergy(density[i]);
         });
     });
@@ -95,10 +85,11 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
         [motion, density, relations](std::span<double> row) {
             Body<Dim>& body = *motion.body;
             const Vec<Dim> g = body.gravity();
-            const auto sum = parallelSum(body.size(), [&](std::size_t i) {
-                return Sums<2>{{motion.kinetic(i), -motion.mass(i) * g.dot((*motion.x)[i])}};
+            const auto sum = sumAll(body.size(), [&](std::size_t i) {
+                return std::array<double, 2>{motion.kinetic(i),
+                                             -motion.mass(i) * g.dot((*motion.x)[i])};
             });
-            for (int k = 0; k < 2; ++k) row[k] = sum.values[k];
+            std::copy(sum.begin(), sum.end(), row.begin());
             row[2] = body.isFluid() ? fluidEnergy(motion, *density)
                                     : solid::internalEnergy(body, *relations);
             row[3] = row[0] + row[1] + row[2];
@@ -123,7 +114,7 @@ std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>& reduced) {
             {"particles", "", "number of particles", {}},
             {"removed", "", "particles that have left the body", {}}},
         [body, motion](std::span<double> row) {
-            row[0] = parallelSum(body->size(), [&](std::size_t i) { return motion.mass(i); });
+            row[0] = sumAll(body->size(), [&](std::size_t i) { return motion.mass(i); });
             row[1] = static_cast<double>(body->size());
             row[2] = static_cast<double>(body->particles.nextId()) - row[1];
         });
@@ -176,7 +167,7 @@ std::unique_ptr<SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced) {
             {"maximum_speed", reduced.units.text(unit::velocity), "largest abs(v)", {}}},
         [body, v](std::span<double> row) {
             row[0] = body->size() == 0 ? nan_value
-                                       : std::sqrt(parallelMax(body->size(), 0, [&](std::size_t i) {
+                                       : std::sqrt(maxAll(body->size(), 0, [&](std::size_t i) {
                                              return (*v)[i].squaredNorm();
                                          }));
         });
@@ -193,8 +184,8 @@ std::unique_ptr<SeriesSource> frontPosition(const ReducedBody<Dim>& reduced, int
         [body, axis](std::span<double> row) {
             const Field<Vec<Dim>>& x = body->particles.position();
             row[0] = body->size() == 0 ? nan_value
-                                       : parallelMax(body->size(), x[0][axis],
-                                                     [&](std::size_t i) { return x[i][axis]; });
+                                       : maxAll(body->size(), x[0][axis],
+                                                [&](std::size_t i) { return x[i][axis]; });
         });
 }
 

@@ -17,7 +17,7 @@ void CellGrid<Dim>::build(const Vec<Dim>* position, std::size_t n, double cell_s
         Box<Dim> box;
         double zero = 0;  // unless a position is not finite
     };
-    const Extent extent = parallelReduce(
+    const Extent extent = reduceLocal(
         n, Extent{},
         [&](std::size_t begin, std::size_t end) {
             Extent e;

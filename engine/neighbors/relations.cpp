@@ -39,7 +39,7 @@ template <int Dim>
 const CellGrid<Dim>& Relations<Dim>::grid(const Body<Dim>& body) {
     Grid& grid = grids_[&body];
     if (grid.version != body.version) {
-        grid.cells.build(body.particles.position().data(), body.size(), body.kernel.cutoff());
+        grid.cells.build(body.particles.position().data(), body.held(), body.kernel.cutoff());
         grid.version = body.version;
     }
     return grid.cells;
@@ -80,10 +80,13 @@ ReferenceRelation<Dim>& Relations<Dim>::reference(Body<Dim>& from, Body<Dim>& to
 
 template <int Dim>
 void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
-    if (r.built) return;
+    const std::uint64_t from_arrangement = r.from->particles.arrangement();
+    const std::uint64_t to_arrangement = r.to->particles.arrangement();
+    if (r.from_arrangement == from_arrangement && r.to_arrangement == to_arrangement) return;
+    r.list = {};
     const auto cells = [](Body<Dim>& body) {
         CellGrid<Dim> grid;
-        grid.build(body.particles.vector(fields::initial_position).data(), body.size(),
+        grid.build(body.particles.vector(fields::initial_position).data(), body.held(),
                    body.kernel.cutoff());
         return grid;
     };
@@ -110,12 +113,13 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
             }
         }
         if (lane == lane_count - 1 || i + 1 == r.from->size()) {
-            r.list.append(neighbors, r.to->size());
+            r.list.append(neighbors, r.to->held());
             neighbors.clear();
         }
     }
     r.list.finish();
-    r.built = true;
+    r.from_arrangement = from_arrangement;
+    r.to_arrangement = to_arrangement;
 }
 
 template <int Dim>

@@ -40,13 +40,15 @@ struct Relation {
 };
 
 /// Neighbors in the reference configuration of an elastic body, in itself or in a body that is one
-/// piece of material with it. Built once, from the initial positions, when first asked for.
+/// piece of material with it. Built from the initial positions when asked for, once for each
+/// arrangement of the particles in memory.
 template <int Dim>
 struct ReferenceRelation {
     Body<Dim>* from = nullptr;
     Body<Dim>* to = nullptr;
-    bool built = false;
     ReferenceList<Dim> list;
+    std::uint64_t from_arrangement = ~std::uint64_t{0};  ///< of the particles when it was built
+    std::uint64_t to_arrangement = ~std::uint64_t{0};
 };
 
 /// All relations of a simulation and the cell grids they share, one grid per body.
@@ -70,7 +72,8 @@ class Relations {
 
     /// The relation of the reference configuration, made on first use. Its address stays.
     ReferenceRelation<Dim>& reference(Body<Dim>& from, Body<Dim>& to);
-    /// Builds its list if that has not been done. Both bodies have a field initial_position.
+    /// Builds its list if it names no particles, or others. Both bodies have a field
+    /// initial_position.
     void build(ReferenceRelation<Dim>& relation);
 
     const Domain<Dim>& domain() const { return world_->domain; }

@@ -4,6 +4,8 @@
 
 #include "core/parallel.h"
 
+#include <algorithm>
+
 namespace sphinx {
 namespace {
 
@@ -25,6 +27,11 @@ auto numbersOf(Values& values) {
     else
         return values.empty() ? nullptr : values.data()->data();
 }
+
+template <class T>
+constexpr bool isSquare = false;
+template <int Dim>
+constexpr bool isSquare<Mat<Dim>> = true;
 
 }  // namespace
 
@@ -60,6 +67,18 @@ void Field<T>::resize(std::size_t n) {
 }
 
 template <class T>
+void Field<T>::begin(std::size_t first, const FieldBase* other) {
+    if (info().initial.kind == InitialValue::Kind::same) {
+        const auto& same = static_cast<const Field<T>&>(*other);
+        std::copy(same.values_.begin() + static_cast<std::ptrdiff_t>(first), same.values_.end(),
+                  values_.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+    if constexpr (isSquare<T>)
+        if (info().initial.kind == InitialValue::Kind::identity)
+            for (std::size_t i = first; i < values_.size(); ++i) values_[i].setIdentity();
+}
+
+template <class T>
 void Field<T>::setZero() {
     parallelRanges(values_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) values_[i] = zero<T>();
@@ -73,6 +92,12 @@ void Field<T>::permute(const AlignedVector<Index>& order) {
         for (std::size_t k = begin; k < end; ++k) spare_[k] = values_[order[k]];
     });
     values_.swap(spare_);
+}
+
+template <class T>
+void Field<T>::keep(const AlignedVector<Index>& kept) {
+    for (std::size_t k = 0; k < kept.size(); ++k) values_[k] = values_[kept[k]];
+    values_.resize(kept.size());
 }
 
 template class Field<double>;

@@ -14,12 +14,44 @@ namespace sphinx {
 
 enum class Rank { scalar, vector, matrix, integer };
 
+struct FieldInfo;
+
+/// What a new particle has in a field.
+struct InitialValue {
+    enum class Kind {
+        none,      ///< nothing: it has to be written before it is read (in memory it is zero)
+        given,     ///< what the one says who makes the particle
+        zero,      ///< zero, which means something
+        identity,  ///< of matrices
+        same,      ///< the value of another field
+    };
+    Kind kind = Kind::none;
+    const FieldInfo* other = nullptr;  ///< for Kind::same: of the same rank, its own is `given`
+};
+
+namespace initial_value {
+inline constexpr InitialValue none{};
+inline constexpr InitialValue given{InitialValue::Kind::given};
+inline constexpr InitialValue zero{InitialValue::Kind::zero};
+inline constexpr InitialValue identity{InitialValue::Kind::identity};
+constexpr InitialValue sameAs(const FieldInfo& other) { return {InitialValue::Kind::same, &other}; }
+}  // namespace initial_value
+
+enum class FieldKind {
+    state,    ///< the run goes on from it
+    derived,  ///< follows from the state, and is computed for outputs only
+};
+
 /// What a field is: declared once in particles/fields.h, read by methods, outputs and restart.
 struct FieldInfo {
     std::string_view name;  ///< as in case files and results
     Rank rank = Rank::scalar;
     Dimension unit{};
     std::string_view doc;
+    InitialValue initial = initial_value::none;
+    FieldKind kind = FieldKind::state;
+
+    bool hasInitialValue() const { return initial.kind != InitialValue::Kind::none; }
 };
 
 /// Values of one field for all particles of a body, without its type. Flat: components of one
@@ -38,19 +70,23 @@ class FieldBase {
     virtual double* numbers() { return nullptr; }
     virtual const double* numbers() const { return nullptr; }
 
+    /// What is added is zero.
     virtual void resize(std::size_t n) = 0;
+    /// Gives the particles from `first` on their initial value where it is not zero. `other`: the
+    /// field named by it, with its values.
+    virtual void begin(std::size_t first, const FieldBase* other) = 0;
     virtual void setZero() = 0;
     /// new[k] = old[order[k]]
     virtual void permute(const AlignedVector<Index>& order) = 0;
-    /// Moves particle `from` to place `to`.
-    virtual void copy(std::size_t from, std::size_t to) = 0;
+    /// The same for an ascending choice of the particles; the others go.
+    virtual void keep(const AlignedVector<Index>& kept) = 0;
     virtual std::size_t bytes() const = 0;
 
  private:
     const FieldInfo* info_;
 };
 
-/// T is double, Vec<Dim>, Mat<Dim> or std::int64_t. New particles start at zero.
+/// T is double, Vec<Dim>, Mat<Dim> or std::int64_t.
 template <class T>
 class Field final : public FieldBase {
  public:
@@ -68,9 +104,10 @@ class Field final : public FieldBase {
     double* numbers() override;
     const double* numbers() const override;
     void resize(std::size_t n) override;
+    void begin(std::size_t first, const FieldBase* other) override;
     void setZero() override;
     void permute(const AlignedVector<Index>& order) override;
-    void copy(std::size_t from, std::size_t to) override { values_[to] = values_[from]; }
+    void keep(const AlignedVector<Index>& kept) override;
     std::size_t bytes() const override {
         return (values_.capacity() + spare_.capacity()) * sizeof(T);
     }

@@ -8,44 +8,57 @@
 
 namespace sphinx {
 
-/// Every field of the program: name, rank, unit and meaning in one place.
+/// Every field of the program: name, rank, unit, meaning and what a new particle has in it, in one
+/// place.
 namespace fields {
 
-inline constexpr FieldInfo id{"id", Rank::integer, unit::none, "stable number of the particle"};
-inline constexpr FieldInfo position{"position", Rank::vector, unit::length, "current position"};
-inline constexpr FieldInfo velocity{"velocity", Rank::vector, unit::velocity, "velocity"};
+inline constexpr FieldInfo id{"id", Rank::integer, unit::none, "stable number of the particle",
+                              initial_value::given};
+inline constexpr FieldInfo position{"position", Rank::vector, unit::length, "current position",
+                                    initial_value::given};
+inline constexpr FieldInfo velocity{"velocity", Rank::vector, unit::velocity, "velocity",
+                                    initial_value::given};
 inline constexpr FieldInfo mass{"mass", Rank::scalar, unit::mass,
-                                "mass (2D: of a slice of unit depth)"};
+                                "mass (2D: of a slice of unit depth)", initial_value::given};
 inline constexpr FieldInfo volume{"volume", Rank::scalar, unit::volume,
-                                  "volume (2D: of a slice of unit depth)"};
-inline constexpr FieldInfo density{"density", Rank::scalar, unit::density, "density"};
+                                  "volume (2D: of a slice of unit depth)", initial_value::given};
+inline constexpr FieldInfo density{"density", Rank::scalar, unit::density, "density",
+                                   initial_value::given};
 inline constexpr FieldInfo density_rate{"density_rate", Rank::scalar, unit::density_rate,
-                                        "rate of change of the density by the continuity equation"};
+                                        "rate of change of the density by the continuity equation",
+                                        initial_value::zero};
 inline constexpr FieldInfo reference_density{"reference_density", Rank::scalar, unit::density,
-                                             "density at the start, for confined flows"};
-inline constexpr FieldInfo pressure{"pressure", Rank::scalar, unit::pressure, "pressure"};
+                                             "density at the start, for confined flows",
+                                             initial_value::sameAs(density)};
+inline constexpr FieldInfo pressure{"pressure", Rank::scalar, unit::pressure, "pressure",
+                                    initial_value::given};
 inline constexpr FieldInfo average_pressure{"average_pressure", Rank::scalar, unit::pressure,
-                                            "pressure of a fluid, averaged over acoustic steps"};
+                                            "pressure of a fluid, averaged over acoustic steps",
+                                            initial_value::sameAs(pressure)};
 inline constexpr FieldInfo acceleration{"acceleration", Rank::vector, unit::acceleration,
-                                        "acceleration of a solid particle"};
+                                        "acceleration of a solid particle", initial_value::zero};
 inline constexpr FieldInfo external_acceleration{
     "external_acceleration", Rank::vector, unit::acceleration,
-    "acceleration by all other forces (gravity, viscosity), held over a substep"};
+    "acceleration by all other forces (gravity, viscosity), held over a substep",
+    initial_value::zero};
 inline constexpr FieldInfo normal{"normal", Rank::vector, unit::none,
                                   "outward unit normal of the body's surface"};
 inline constexpr FieldInfo fibre{"fibre", Rank::vector, unit::none,
-                                 "unit direction of the fibres in the reference configuration"};
+                                 "unit direction of the fibres in the reference configuration",
+                                 initial_value::given};
 inline constexpr FieldInfo sheet{"sheet", Rank::vector, unit::none,
-                                 "unit direction of the sheets in the reference configuration"};
+                                 "unit direction of the sheets in the reference configuration",
+                                 initial_value::given};
 inline constexpr FieldInfo initial_position{"initial_position", Rank::vector, unit::length,
-                                            "position in the reference configuration"};
+                                            "position in the reference configuration",
+                                            initial_value::sameAs(position)};
 inline constexpr FieldInfo initial_normal{"initial_normal", Rank::vector, unit::none,
                                           "outward unit normal in the reference configuration"};
 inline constexpr FieldInfo correction_matrix{
     "correction_matrix", Rank::matrix, unit::none,
     "makes gradients in the reference configuration exact for linear functions"};
 inline constexpr FieldInfo deformation_gradient{"deformation_gradient", Rank::matrix, unit::none,
-                                                "deformation gradient F"};
+                                                "deformation gradient F", initial_value::identity};
 inline constexpr FieldInfo deformation_rate{"deformation_rate", Rank::matrix, unit::frequency,
                                             "rate of change of the deformation gradient"};
 inline constexpr FieldInfo corrected_stress{
@@ -53,32 +66,47 @@ inline constexpr FieldInfo corrected_stress{
     "first Piola-Kirchhoff stress times the transposed correction matrix, less the part of the "
     "hourglass control, times what a clamp leaves of the particle; at the half step"};
 inline constexpr FieldInfo pressure_force{"pressure_force", Rank::vector, unit::force,
-                                          "force of fluids on a solid particle by pressure"};
+                                          "force of fluids on a solid particle by pressure",
+                                          initial_value::zero};
 inline constexpr FieldInfo viscous_force{"viscous_force", Rank::vector, unit::force,
-                                         "force of fluids on a solid particle by viscosity"};
+                                         "force of fluids on a solid particle by viscosity",
+                                         initial_value::zero};
 inline constexpr FieldInfo average_velocity{
     "average_velocity", Rank::vector, unit::velocity,
-    "velocity of a solid particle, averaged over the fluid's acoustic step"};
+    "velocity of a solid particle, averaged over the fluid's acoustic step",
+    initial_value::sameAs(velocity)};
 inline constexpr FieldInfo average_acceleration{
     "average_acceleration", Rank::vector, unit::acceleration,
-    "acceleration of a solid particle, averaged over the fluid's acoustic step"};
+    "acceleration of a solid particle, averaged over the fluid's acoustic step",
+    initial_value::zero};
 inline constexpr FieldInfo depth{"depth", Rank::scalar, unit::length,
                                  "distance of a solid particle from the body's surface"};
 
 // Computed from the state of elastic bodies, for outputs only: solid/derived_fields.h.
-inline constexpr FieldInfo displacement{"displacement", Rank::vector, unit::length,
-                                        "displacement of an elastic body since the start"};
-inline constexpr FieldInfo green_lagrange_strain{"green_lagrange_strain", Rank::matrix, unit::none,
-                                                 "Green-Lagrange strain of an elastic body"};
+inline constexpr FieldInfo displacement{
+    "displacement",      Rank::vector,
+    unit::length,        "displacement of an elastic body since the start",
+    initial_value::none, FieldKind::derived};
+inline constexpr FieldInfo green_lagrange_strain{"green_lagrange_strain",
+                                                 Rank::matrix,
+                                                 unit::none,
+                                                 "Green-Lagrange strain of an elastic body",
+                                                 initial_value::none,
+                                                 FieldKind::derived};
 inline constexpr FieldInfo piola_kirchhoff_stress{
-    "piola_kirchhoff_stress", Rank::matrix, unit::pressure,
-    "first Piola-Kirchhoff stress of the elastic law"};
-inline constexpr FieldInfo cauchy_stress{"cauchy_stress", Rank::matrix, unit::pressure,
-                                         "Cauchy stress of the elastic law"};
-inline constexpr FieldInfo von_mises_stress{"von_mises_stress", Rank::scalar, unit::pressure,
-                                            "von Mises stress of the elastic law"};
+    "piola_kirchhoff_stress", Rank::matrix,
+    unit::pressure,           "first Piola-Kirchhoff stress of the elastic law",
+    initial_value::none,      FieldKind::derived};
+inline constexpr FieldInfo cauchy_stress{"cauchy_stress",     Rank::matrix,
+                                         unit::pressure,      "Cauchy stress of the elastic law",
+                                         initial_value::none, FieldKind::derived};
+inline constexpr FieldInfo von_mises_stress{
+    "von_mises_stress",  Rank::scalar,      unit::pressure, "von Mises stress of the elastic law",
+    initial_value::none, FieldKind::derived};
 inline constexpr FieldInfo strain_energy_density{
-    "strain_energy_density", Rank::scalar, unit::pressure, "strain energy per reference volume"};
+    "strain_energy_density", Rank::scalar,
+    unit::pressure,          "strain energy per reference volume",
+    initial_value::none,     FieldKind::derived};
 
 /// The field of that name, or nullptr.
 const FieldInfo* find(std::string_view name);

@@ -13,47 +13,63 @@ ParticleSet<Dim>::ParticleSet() {
 }
 
 template <int Dim>
-void ParticleSet<Dim>::append(std::size_t n) {
+void ParticleSet<Dim>::tell(const Remap& remap) {
     ++arrangement_;
+    remaps_.tell(remap);
+}
+
+template <int Dim>
+void ParticleSet<Dim>::begin(FieldBase& field, std::size_t first) {
+    const FieldInfo* other = field.info().initial.other;
+    field.begin(first, other ? &require(*other) : nullptr);
+}
+
+template <int Dim>
+void ParticleSet<Dim>::append(std::size_t n, const std::function<void(std::size_t)>& give) {
     const std::size_t old = size_;
     size_ += n;
-    capacity_ = std::max(capacity_, size_);
     for (auto& field : fields_) field->resize(size_);
     for (std::size_t i = old; i < size_; ++i) (*id_)[i] = next_id_++;
+    if (give) give(old);
+    for (auto& field : fields_) begin(*field, old);
+    tell(Remap(old, old, size_));
 }
 
 template <int Dim>
 void ParticleSet<Dim>::remove(const std::vector<Index>& particles) {
     if (particles.empty()) return;
-    ++arrangement_;
-    std::size_t to = particles.front();
-    std::size_t next = 0;
-    for (std::size_t from = to; from < size_; ++from) {
-        if (next < particles.size() && particles[next] == from) {
+    AlignedVector<Index> kept;
+    kept.reserve(size_);
+    auto next = particles.begin();
+    for (std::size_t i = 0; i < size_; ++i) {
+        if (next != particles.end() && *next == i)
             ++next;
-            continue;
-        }
-        for (auto& field : fields_) field->copy(from, to);
-        ++to;
+        else
+            kept.push_back(static_cast<Index>(i));
     }
-    size_ = to;
-    for (auto& field : fields_) field->resize(size_);
+    assert(next == particles.end() && "the particles to remove are not in order");
+    const std::size_t old = size_;
+    size_ = kept.size();
+    for (auto& field : fields_) field->keep(kept);
+    tell(Remap(kept, old, size_));
 }
 
 template <int Dim>
 void ParticleSet<Dim>::permute(const AlignedVector<Index>& order) {
-    ++arrangement_;
     assert(order.size() == size_);
     for (auto& field : fields_) field->permute(order);
+    tell(Remap(order, size_, size_));
 }
 
 template <int Dim>
 void ParticleSet<Dim>::restore(std::size_t n, std::int64_t next_id) {
-    ++arrangement_;
+    const std::size_t old = size_;
     size_ = n;
-    capacity_ = std::max(capacity_, size_);
     next_id_ = next_id;
+    for (auto& field : fields_) field->resize(0);
     for (auto& field : fields_) field->resize(size_);
+    for (auto& field : fields_) begin(*field, 0);
+    tell(Remap(std::size_t{0}, old, size_));
 }
 
 template <int Dim>
@@ -83,6 +99,7 @@ Field<T>& ParticleSet<Dim>::typed(const FieldInfo& info, [[maybe_unused]] Rank r
     if (FieldBase* existing = find(info.name)) return static_cast<Field<T>&>(*existing);
     auto field = std::make_unique<Field<T>>(info);
     field->resize(size_);
+    begin(*field, 0);
     Field<T>& result = *field;
     fields_.push_back(std::move(field));
     return result;

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "particles/fields.h"
+#include "particles/remap.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -18,21 +20,31 @@ class ParticleSet {
  public:
     ParticleSet();
 
+    /// Own particles: those that this process steps.
     std::size_t size() const { return size_; }
+    /// Own particles and, behind them, copies of those that other processes own: what arrays and
+    /// neighbor lists reach. A run is one process today, so there are no copies.
+    std::size_t held() const { return size_; }
 
-    /// Appends n particles: ids continue, every other field is zero.
-    void append(std::size_t n);
+    /// Appends n particles: ids continue, and every field has its initial value
+    /// (FieldInfo::initial). `give`, called with the place of the first one, writes those that are
+    /// given; without it they are zero.
+    void append(std::size_t n, const std::function<void(std::size_t first)>& give = {});
     /// Drops the listed particles (ascending indices); the others keep their order.
     void remove(const std::vector<Index>& particles);
     /// Reorders all fields: new[k] = old[order[k]].
     void permute(const AlignedVector<Index>& order);
-    /// Makes room for exactly n particles and the id counter; for reading a restart.
+    /// Has exactly n new particles from now on, and the id counter; for reading a restart, which
+    /// then writes ids and fields.
     void restore(std::size_t n, std::int64_t next_id);
     std::int64_t nextId() const { return next_id_; }
     /// Counts what gives particles other places in memory: append, remove, permute, restore.
     std::uint64_t arrangement() const { return arrangement_; }
+    /// Whoever keeps indices or values of particles beside the fields listens to these.
+    RemapListeners& remaps() { return remaps_; }
 
-    /// The field, created (zero) if it is not there yet. Asserts that rank and type agree.
+    /// The field, created with its initial value if it is not there yet. Asserts that rank and type
+    /// agree.
     Field<double>& scalar(const FieldInfo& info);
     Field<Vec<Dim>>& vector(const FieldInfo& info);
     Field<Mat<Dim>>& matrix(const FieldInfo& info);
@@ -49,6 +61,7 @@ class ParticleSet {
     const FieldBase& require(const FieldInfo& info) const;
 
     Field<std::int64_t>& id() { return *id_; }
+    const Field<std::int64_t>& id() const { return *id_; }
     Field<Vec<Dim>>& position() { return *position_; }
     const Field<Vec<Dim>>& position() const { return *position_; }
 
@@ -58,14 +71,16 @@ class ParticleSet {
  private:
     template <class T>
     Field<T>& typed(const FieldInfo& info, Rank rank);
+    void begin(FieldBase& field, std::size_t first);
+    void tell(const Remap& remap);
 
     std::size_t size_ = 0;
-    std::size_t capacity_ = 0;
     std::int64_t next_id_ = 0;
     std::uint64_t arrangement_ = 0;
     std::vector<std::unique_ptr<FieldBase>> fields_;
     Field<std::int64_t>* id_ = nullptr;
     Field<Vec<Dim>>* position_ = nullptr;
+    RemapListeners remaps_;
 };
 
 extern template class ParticleSet<2>;

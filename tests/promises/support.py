@@ -53,7 +53,7 @@ class Restart:
                 self.physics[f"{name}.{field.get('name')}"] = ElementTree.tostring(field).decode()
 
     def values(self, body, field):
-        """As an array: particles, or particles x components, in storage order."""
+        """As an array: particles, or particles x components, by ascending id."""
         element = next(f for f in self.bodies[body] if f.get("name") == field)
         integers = element.get("rank") == "integer"
         pieces = []

@@ -44,8 +44,9 @@ DerivedFields<Dim>::DerivedFields(const input::Component& output, World<Dim>& wo
     for (const input::Parameter& parameter : output.declaration->parameters())
         parameter.type->names(parameter.in(output.parameters.get()), names);
     for (const input::Name& name : names) {
-        const FieldInfo* field = solid::isDerived(name.text) ? fields::find(name.text) : nullptr;
-        if (field && std::find(fields_.begin(), fields_.end(), field) == fields_.end())
+        const FieldInfo* field = fields::find(name.text);
+        if (field && field->kind == FieldKind::derived &&
+            std::find(fields_.begin(), fields_.end(), field) == fields_.end())
             fields_.push_back(field);
     }
     if (fields_.empty()) return;

@@ -12,24 +12,19 @@ bool hasFibres(const Case& model, const Body& body) {
 }
 
 template <int Dim>
-void setFibres(const Component& material, sphinx::Body<Dim>& body,
-               input::Diagnostics& diagnostics) {
+void checkFibres(const Component& material, const std::vector<Vec<Dim>>& places,
+                 input::Diagnostics& diagnostics) {
     const auto& parameters = material.as<HolzapfelMuscleParameters>();
-    const auto& position = body.particles.position();
-    auto& fibre = body.particles.vector(fields::fibre);
-    auto& sheet = body.particles.vector(fields::sheet);
-    for (std::size_t i = 0; i < body.size(); ++i) {
+    for (const Vec<Dim>& place : places) {
         Fibres<Dim> fibres;
-        if (const auto violation = parameters.directions<Dim>(position[i], fibres)) {
+        if (const auto violation = parameters.directions<Dim>(place, fibres)) {
             diagnostics.error(material.placeOf(violation->parameter), violation->message);
             return;
         }
-        fibre[i] = fibres.fibre;
-        sheet[i] = fibres.sheet;
     }
 }
 
-template void setFibres(const Component&, sphinx::Body<2>&, input::Diagnostics&);
-template void setFibres(const Component&, sphinx::Body<3>&, input::Diagnostics&);
+template void checkFibres(const Component&, const std::vector<Vec<2>>&, input::Diagnostics&);
+template void checkFibres(const Component&, const std::vector<Vec<3>>&, input::Diagnostics&);
 
 }  // namespace sphinx::model

@@ -5,14 +5,17 @@
 #include "case/model/model.h"
 #include "input/tree/diagnostics.h"
 
+#include <vector>
+
 namespace sphinx::model {
 
 /// Whether the body's particles have the fields `fibre` and `sheet`.
 bool hasFibres(const Case& model, const Body& body);
 
-/// Sets them from the directions of the body's material where the particles are; directions that
-/// are none, or not perpendicular, are an error at their place in the case.
+/// Directions of the material that are none at one of the places, or not perpendicular, are an
+/// error at their place in the case.
 template <int Dim>
-void setFibres(const Component& material, sphinx::Body<Dim>& body, input::Diagnostics& diagnostics);
+void checkFibres(const Component& material, const std::vector<Vec<Dim>>& places,
+                 input::Diagnostics& diagnostics);
 
 }  // namespace sphinx::model

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "bodies/new_particles.h"
 #include "case/model/model.h"
 
 #include <string>
@@ -9,13 +10,12 @@
 
 namespace sphinx::model {
 
-/// Sets velocity, density, mass, volume and pressure of all particles of a real body. The mass of a
-/// fluid follows from its initial pressure through the equation of state.
+/// Gives new particles of a body the velocity and the pressure that the case has at their places.
 template <int Dim>
-void setInitialValues(const Body& source, const std::vector<double>& volumes, double time,
-                      sphinx::Body<Dim>& body);
+void giveInitialValues(const Body& source, double time, std::vector<NewParticle<Dim>>& particles);
 
-/// Names of the fields that have a value before the first step.
+/// Names of the fields that have a value before the first step, besides id and position: of those
+/// that its particles have by themselves or that methods ask for.
 std::vector<std::string> initialFields(const Case& model, const Body& body);
 
 }  // namespace sphinx::model

@@ -99,10 +99,10 @@ Methods<Dim>::Methods(const Case& model, Context<Dim>& context) : world_(&contex
 }
 
 template <int Dim>
-void Methods<Dim>::prepare(Origin origin) {
+void Methods<Dim>::prepare() {
     for (const auto& body : world_->bodies)
         if (body->isElastic()) findShares(*body);
-    for (const auto& [name, method] : methods_) method->prepare(origin);
+    for (const auto& [name, method] : methods_) method->prepare();
 }
 
 template <int Dim>

@@ -25,7 +25,7 @@ class Methods {
     Methods(const Case& model, Context<Dim>& context);
 
     /// Once, when the particles are there.
-    void prepare(Origin origin);
+    void prepare();
 
     Method* method(std::string_view name) const;
     TimeStepMethod* timeStep(const std::string& name) const { return time_steps_.at(name).get(); }

@@ -4,7 +4,6 @@
 
 #include "case/build/fibres.h"
 #include "case/build/initial_values.h"
-#include "case/build/parts.h"
 #include "case/check/elastic.h"
 #include "case/check/particles.h"
 #include "case/check/walls.h"
@@ -69,7 +68,7 @@ void keepOnePeriod(std::vector<Vec<Dim>>& points, const sphinx::Domain<Dim>& dom
 
 template <int Dim>
 void makeParticles(const Case& model, const Body& source, const sphinx::Domain<Dim>& domain,
-                   sphinx::Body<Dim>& body) {
+                   sphinx::Body<Dim>& body, input::Diagnostics& diagnostics) {
     std::vector<Vec<Dim>> points;
     std::vector<double> volumes;
     if (source.role == Role::observer) {
@@ -83,14 +82,17 @@ void makeParticles(const Case& model, const Body& source, const sphinx::Domain<D
     }
     if (volumes.empty()) volumes.assign(points.size(), std::pow(body.spacing, Dim));
 
-    body.particles.append(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) body.particles.position()[i] = points[i];
-    if (source.role == Role::observer) return;
-    setInitialValues(source, volumes, model.loop.start_time, body);
-    if (keepsInitialPosition(model, source)) {
-        auto& start = body.particles.vector(fields::initial_position);
-        for (std::size_t i = 0; i < points.size(); ++i) start[i] = points[i];
+    if (hasFibres(model, source)) {
+        checkFibres<Dim>(*model.findMaterial(source.material.text), points, diagnostics);
+        diagnostics.throwIfErrors();
     }
+    std::vector<NewParticle<Dim>> particles(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        particles[i].position = points[i];
+        particles[i].volume = volumes[i];
+    }
+    giveInitialValues(source, model.loop.start_time, particles);
+    addParticles(body, particles);
 }
 
 }  // namespace
@@ -118,11 +120,12 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
         body->spacing = source.spacing(model.resolution);
         const double h = source.smoothingRatio(model.resolution) * body->spacing;
         body->kernel = Kernel<Dim>(model.resolution.kernel, h, body->spacing);
-        for (const Part& part : source.parts) body->parts.push_back({part.name, {}, {}});
+        for (const Part& part : source.parts)
+            body->parts.push_back({part.name, {}, model.findShape(part.shape.text)->as<Dim>()});
         if (particles || source.role == Role::observer)
-            makeParticles(model, source, world->domain, *body);
-        if (particles && hasFibres(model, source))
-            setFibres(*model.findMaterial(source.material.text), *body, diagnostics);
+            makeParticles(model, source, world->domain, *body, diagnostics);
+        else
+            addParticles(*body, {});
         world->bodies.push_back(std::move(body));
     }
     for (const auto& body : world->bodies)
@@ -136,7 +139,6 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
             body->kernel = body->sees.front()->kernel;
         }
     if (particles) {
-        fillParts(model, *world);
         checkParticles(model, *world, diagnostics);
         checkElastic(model, *world, diagnostics);
         checkWalls(model, *world, diagnostics);

@@ -47,7 +47,7 @@ Extremes extremes(sphinx::Body<Dim>& body) {
     const auto& velocity = body.particles.vector(fields::velocity);
     const auto& density = body.particles.scalar(fields::density);
     const double rho0 = body.material()->density();
-    return parallelReduce(
+    return reduceAll(
         body.size(), Extremes{},
         [&](std::size_t begin, std::size_t end) {
             double speed2 = 0;

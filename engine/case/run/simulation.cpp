@@ -4,7 +4,6 @@
 
 #include "case/build/loop.h"
 #include "case/build/outputs.h"
-#include "case/build/parts.h"
 #include "case/build/world.h"
 #include "case/run/failed_state.h"
 #include "case/run/health.h"
@@ -63,7 +62,7 @@ class Simulation {
         outputs_->addTo(plan);
         runner_ = std::make_unique<loop::Runner>(std::move(plan));
         if (resuming()) restore();
-        methods_->prepare(resuming() ? Origin::restart : Origin::start);
+        methods_->prepare();
     }
 
     int run() {
@@ -198,11 +197,11 @@ class Simulation {
         if (!options_.resume) runner_->leaveRestarts();
         std::vector<sphinx::Body<Dim>*> bodies;
         for (const auto& body : world_->bodies) {
+            body->findParts();
             ++body->version;
             bodies.push_back(body.get());
         }
         relations_->update(bodies);
-        fillParts(model_, *world_);
     }
 
     /// For inspection; the last good restart stays as it is.

@@ -19,14 +19,18 @@ Clamp<Dim>::Clamp(Context<Dim>& context, Part<Dim> part)
       mass_(part.body().particles.scalar(fields::mass)) {}
 
 template <int Dim>
-void Clamp<Dim>::prepare(Origin) {
+void Clamp<Dim>::findImages() {
+    const std::uint64_t arrangement = part_.body().particles.arrangement();
+    if (arrangement == arrangement_) return;
     relations_->build(*relation_);
     images_ = part_.images();
     links_ = mirrorImages(part_, images_, *relation_, relations_->domain());
+    arrangement_ = arrangement;
 }
 
 template <int Dim>
 void Clamp<Dim>::run(const Clock& clock) {
+    findImages();
     if (!clock.is_start) {
         const auto load = [&](Index i) -> Vec<Dim> {
             return mass_[i] * external_[i] + pressure_force_[i] + viscous_force_[i];

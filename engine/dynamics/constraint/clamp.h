@@ -26,7 +26,7 @@ class Clamp final : public Method, public Support<Dim> {
  public:
     Clamp(Context<Dim>& context, Part<Dim> part);
     void announce() override { part_.mirror(); }
-    void prepare(Origin) override;
+    void prepare() override { findImages(); }
     void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
 
@@ -34,11 +34,15 @@ class Clamp final : public Method, public Support<Dim> {
     void transfer(Archive& archive) override { this->transferReaction(archive); }
 
  private:
+    /// Where the particles have other places than those found.
+    void findImages();
+
     Relations<Dim>* relations_;
     Part<Dim> part_;
     ReferenceRelation<Dim>* relation_;
     std::vector<Index> images_;
     std::vector<ImageLink> links_;
+    std::uint64_t arrangement_ = ~std::uint64_t{0};  // of the particles that these name
 
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& acceleration_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/constraint/fix.h"
 
-#include "core/parallel.h"
+#include "core/sum_all.h"
 
 namespace sphinx::constraint {
 
@@ -17,22 +17,37 @@ Fix<Dim>::Fix(Part<Dim> part, const std::vector<int>& directions)
 
 template <int Dim>
 void Fix<Dim>::run(const Clock& clock) {
-    Vec<Dim> momentum = parallelReduce(
-        part_.size(), Vec<Dim>(Vec<Dim>::Zero()),
-        [&](std::size_t begin, std::size_t end) {
-            Vec<Dim> sum = Vec<Dim>::Zero();
-            for (std::size_t n = begin; n < end; ++n) {
-                const std::size_t i = part_[n];
-                for (int c = 0; c < Dim; ++c) {
-                    if (!fixed_[static_cast<std::size_t>(c)]) continue;
-                    sum[c] += mass_[i] * velocity_[i][c];
-                    velocity_[i][c] = 0;
-                }
-            }
-            return sum;
-        },
-        [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
-    if (!clock.is_start) this->reaction_ = -momentum / clock.dt;
+    momentum_.resize(part_.size());
+    parallelFor(part_.size(), [&](std::size_t n) {
+        const std::size_t i = part_[n];
+        momentum_[n].setZero();
+        for (int c = 0; c < Dim; ++c) {
+            if (!fixed_[static_cast<std::size_t>(c)]) continue;
+            momentum_[n][c] = mass_[i] * velocity_[i][c];
+            velocity_[i][c] = 0;
+        }
+    });
+    duration_ = clock.is_start ? 0 : clock.dt;
+}
+
+template <int Dim>
+Vec<Dim> Fix<Dim>::reaction() const {
+    if (duration_ == 0) return this->reaction_;
+    const Vec<Dim> sum = sumAll(momentum_.size(), [&](std::size_t n) { return momentum_[n]; });
+    return -sum / duration_;
+}
+
+template <int Dim>
+void Fix<Dim>::rest() {
+    this->letGo();
+    duration_ = 0;
+}
+
+template <int Dim>
+void Fix<Dim>::transfer(Archive& archive) {
+    this->reaction_ = reaction();
+    duration_ = 0;
+    this->transferReaction(archive);
 }
 
 void declareFix(input::Registry& registry) {

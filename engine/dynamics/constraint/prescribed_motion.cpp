@@ -3,7 +3,7 @@
 #include "dynamics/constraint/prescribed_motion.h"
 
 #include "core/errors.h"
-#include "core/parallel.h"
+#include "core/sum_all.h"
 #include "materials/elastic_solid.h"
 
 #include <fmt/format.h>
@@ -53,25 +53,20 @@ void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
     const auto& mass = this->part_.body().particles.scalar(fields::mass);
     const auto before = this->displacement(clock.time);
     const auto after = this->displacement(clock.time + dt);
-    const Vec<Dim> momentum = parallelReduce(
-        this->part_.size(), Vec<Dim>(Vec<Dim>::Zero()),
-        [&](std::size_t begin, std::size_t end) {
-            Vec<Dim> sum = Vec<Dim>::Zero();
-            for (std::size_t n = begin; n < end; ++n) {
-                const std::size_t i = this->part_[n];
-                const Vec<Dim>& start = this->initial_position_[i];
-                for (int c = 0; c < Dim; ++c) {
-                    if (!this->moves(c)) continue;
-                    const double u = after(start, c);
-                    const double v = (u - before(start, c)) / dt;
-                    sum[c] += mass[i] * (v - velocity[i][c]);
-                    velocity[i][c] = v;
-                    position[i][c] = start[c] + u - 0.5 * dt * v;
-                }
-            }
-            return sum;
-        },
-        [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
+    const Vec<Dim> momentum = sumAll(this->part_.size(), [&](std::size_t n) {
+        const std::size_t i = this->part_[n];
+        const Vec<Dim>& start = this->initial_position_[i];
+        Vec<Dim> gained = Vec<Dim>::Zero();
+        for (int c = 0; c < Dim; ++c) {
+            if (!this->moves(c)) continue;
+            const double u = after(start, c);
+            const double v = (u - before(start, c)) / dt;
+            gained[c] = mass[i] * (v - velocity[i][c]);
+            velocity[i][c] = v;
+            position[i][c] = start[c] + u - 0.5 * dt * v;
+        }
+        return gained;
+    });
     if (!momentum.allFinite()) this->requireFinite({clock.time, clock.time + dt});
     this->reaction_ = momentum / dt;
 }
@@ -102,7 +97,7 @@ void PrescribedWallMotion<Dim>::run(const Clock& clock) {
     const auto before = this->displacement(clock.time);
     const auto middle = this->displacement(clock.time + half);
     const auto after = this->displacement(clock.time + dt);
-    const double sum = parallelSum(this->part_.size(), [&](std::size_t n) {
+    const std::size_t spoilt = countLocal(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
         const Vec<Dim>& start = this->initial_position_[i];
         double moved = 0;
@@ -116,9 +111,9 @@ void PrescribedWallMotion<Dim>::run(const Clock& clock) {
             position[i][c] = wrapped(start[c] + u2, c);
             moved += u0 + u1 + u2;
         }
-        return moved;
+        return !std::isfinite(moved);
     });
-    if (!std::isfinite(sum)) this->requireFinite({clock.time, clock.time + half, clock.time + dt});
+    if (spoilt > 0) this->requireFinite({clock.time, clock.time + half, clock.time + dt});
     ++this->part_.body().version;
 }
 

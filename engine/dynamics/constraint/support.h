@@ -17,7 +17,7 @@ class Support {
     virtual const Body<Dim>& supported() const = 0;
     /// Sum of the forces on the held particles in the last step in which it held them, force; zero
     /// once the window of its line is over.
-    Vec<Dim> reaction() const { return reaction_; }
+    virtual Vec<Dim> reaction() const { return reaction_; }
 
  protected:
     void letGo() { reaction_.setZero(); }

@@ -13,12 +13,6 @@ AveragePressure<Dim>::AveragePressure(Body<Dim>& body)
       average_(body.particles.scalar(fields::average_pressure)) {}
 
 template <int Dim>
-void AveragePressure<Dim>::prepare(Origin origin) {
-    if (origin == Origin::restart) return;
-    for (std::size_t i = 0; i < body_->size(); ++i) average_[i] = pressure_[i];
-}
-
-template <int Dim>
 void AveragePressure<Dim>::run(const Clock& clock) {
     if (clock.interval_start != interval_start_) {
         interval_start_ = clock.interval_start;

@@ -21,7 +21,6 @@ class AveragePressure final : public Method {
  public:
     explicit AveragePressure(Body<Dim>& body);
 
-    void prepare(Origin origin) override;
     void run(const Clock& clock);
     std::size_t workSize() const override { return body_->size(); }
 

@@ -6,12 +6,12 @@
 
 namespace sphinx::fluid {
 
-/// Largest abs(v)^2 of a body's particles; 0 where there are none. Eight at a time: a single
-/// running maximum waits for itself.
+/// Largest abs(v)^2 of a body's particles in the run; 0 where there are none. Eight at a time: a
+/// single running maximum waits for itself.
 template <int Dim>
 double largestSquaredSpeed(const Field<Vec<Dim>>& velocity) {
     const std::size_t n = velocity.size();
-    return parallelReduce(
+    return reduceAll(
         groupCount(n), 0.0,
         [&](std::size_t begin, std::size_t end) {
             Wide largest = 0;

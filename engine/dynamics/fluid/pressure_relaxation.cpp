@@ -8,7 +8,7 @@
 
 #include "dynamics/fluid/pressure_relaxation.h"
 
-#include "core/parallel.h"
+#include "core/sum_all.h"
 #include "dynamics/fluid/terms/pressure.h"
 #include "dynamics/fluid/wall_pairs.h"
 #include "materials/fluid_laws.h"
@@ -43,8 +43,8 @@ template <int Dim>
 void PressureRelaxation<Dim>::firstHalf(const Clock& clock) {
     this->actedAt(clock.time);
     const double dt = clock.dt;
-    before_.resize(body_->size());
-    after_.resize(body_->size());
+    before_.resize(body_->held());
+    after_.resize(body_->held());
     predict(dt);
     withRiemann(riemann_, [&]<Riemann R>() { momentum<R>(dt); });
     ++body_->version;
@@ -142,24 +142,19 @@ Load<Dim> PressureRelaxation<Dim>::loadOn(const typename Surroundings<Dim>::Wall
                                           const Vec<Dim>& about) const {
     const double unit = list.gradient_unit;
     const SumGrid grid(largest_force_ / unit);
-    return parallelReduce(
-        body_->size(), Load<Dim>{},
-        [&](std::size_t begin, std::size_t end) {
-            Load<Dim> part;
-            for (std::size_t i = begin; i < end; ++i) {
-                if (list.ranges[i].count == 0) continue;
-                ExactSums<Dim> sum(grid);
-                const FluidSide<Dim, Lanes> fluid =
-                    oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i]);
-                addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], unit, sum);
-                Vec<Dim> force;
-                for (int c = 0; c < Dim; ++c) force[c] = unit * sum[c].value();
-                // Along the line of two particles: the place of either gives the moment.
-                part.add(position_[i] - about, force);
-            }
-            return part;
-        },
-        [](Load<Dim> a, const Load<Dim>& b) { return a += b; });
+    return sumAll(body_->size(), [&](std::size_t i) {
+        Load<Dim> own;
+        if (list.ranges[i].count == 0) return own;
+        ExactSums<Dim> sum(grid);
+        const FluidSide<Dim, Lanes> fluid =
+            oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i]);
+        addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], unit, sum);
+        Vec<Dim> force;
+        for (int c = 0; c < Dim; ++c) force[c] = unit * sum[c].value();
+        // Along the line of two particles: the place of either gives the moment.
+        own.add(position_[i] - about, force);
+        return own;
+    });
 }
 
 template <int Dim>

@@ -78,6 +78,7 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
     Field<double>& density_rate_;
     Field<double>& pressure_;
 
+    // Filled anew in every step, in which no particle comes, goes or moves in memory.
     AlignedVector<PairState<Dim>> before_;  // packed at the half step, read by the momentum sum
     // With the new velocity and the pressure above the hydrostatic, read by the continuity sum.
     AlignedVector<PairState<Dim>> after_;

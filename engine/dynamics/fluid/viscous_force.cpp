@@ -3,7 +3,7 @@
 #include "dynamics/fluid/viscous_force.h"
 
 #include "core/exact_sum.h"
-#include "core/parallel.h"
+#include "core/sum_all.h"
 #include "dynamics/pair_loop.h"
 
 #include <fmt/format.h>
@@ -149,39 +149,33 @@ Load<Dim> ViscousForce<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall
     const SumGrid grid(largest_ / unit);
     const SumGrid moment_grid(largest_ * list.cutoff / unit);
     const auto& position = body_->particles.position();
-    return parallelReduce(
-        body_->size(), Load<Dim>{},
-        [&](std::size_t begin, std::size_t end) {
-            Load<Dim> part;
-            for (std::size_t i = begin; i < end; ++i) {
-                if (list.ranges[i].count == 0) continue;
-                ExactSums<Dim> sum(grid);
-                // The forces act at the wall's particles, r_ij away: -sum_j r_ij x f_ij.
-                ExactSums<moments> lever(moment_grid);
-                forEachWallPair<Dim>(
-                    wall.fields, list, i, velocity_[i], nearest_,
-                    [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
-                        const Lanes f =
-                            viscousFactor<F, Dim, Lanes>(pair, v_ij, r, volume_[i] * V_j);
-                        const auto& direction = viscousDirection<F, Dim, Lanes>(pair, v_ij);
-                        Vector d, e;
-                        for (int c = 0; c < Dim; ++c) {
-                            sum[c].addProduct(f, direction[c]);
-                            d[c] = direction[c];
-                            e[c] = -pair.gradient[c] * pair.inverse_dW;
-                        }
-                        const auto turned = momentOf<Dim, Wide>(e, d);
-                        for (int c = 0; c < moments; ++c) lever[c].addProduct(f * r, turned[c].at);
-                    });
-                const double scale = -unit * factor_;
-                Vec<Dim> force;
-                for (int c = 0; c < Dim; ++c) force[c] = scale * sum[c].value();
-                part.add(position[i] - about, force);
-                for (int c = 0; c < moments; ++c) part.moment[c] -= scale * lever[c].value();
-            }
-            return part;
-        },
-        [](Load<Dim> a, const Load<Dim>& b) { return a += b; });
+    return sumAll(body_->size(), [&](std::size_t i) {
+        Load<Dim> own;
+        if (list.ranges[i].count == 0) return own;
+        ExactSums<Dim> sum(grid);
+        // The forces act at the wall's particles, r_ij away: -sum_j r_ij x f_ij.
+        ExactSums<moments> lever(moment_grid);
+        forEachWallPair<Dim>(
+            wall.fields, list, i, velocity_[i], nearest_,
+            [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
+                const Lanes f = viscousFactor<F, Dim, Lanes>(pair, v_ij, r, volume_[i] * V_j);
+                const auto& direction = viscousDirection<F, Dim, Lanes>(pair, v_ij);
+                Vector d, e;
+                for (int c = 0; c < Dim; ++c) {
+                    sum[c].addProduct(f, direction[c]);
+                    d[c] = direction[c];
+                    e[c] = -pair.gradient[c] * pair.inverse_dW;
+                }
+                const auto turned = momentOf<Dim, Wide>(e, d);
+                for (int c = 0; c < moments; ++c) lever[c].addProduct(f * r, turned[c].at);
+            });
+        const double scale = -unit * factor_;
+        Vec<Dim> force;
+        for (int c = 0; c < Dim; ++c) force[c] = scale * sum[c].value();
+        own.add(position[i] - about, force);
+        for (int c = 0; c < moments; ++c) own.moment[c] -= scale * lever[c].value();
+        return own;
+    });
 }
 
 template <int Dim>

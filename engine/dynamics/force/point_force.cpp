@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/force/point_force.h"
 
-#include "core/parallel.h"
+#include "core/sum_all.h"
 #include "input/expressions/vector_at_time.h"
 
 namespace sphinx::force {
@@ -20,17 +20,10 @@ void PointForce<Dim>::run(const Clock& clock) {
     const double half = 0.5 * clock.dt;
     const auto& position = part_.body().particles.position();
     const double mass = part_.mass();
-    const Vec<Dim> moment = parallelReduce(
-        part_.size(), Vec<Dim>(Vec<Dim>::Zero()),
-        [&](std::size_t begin, std::size_t end) {
-            Vec<Dim> sum = Vec<Dim>::Zero();
-            for (std::size_t n = begin; n < end; ++n) {
-                const std::size_t i = part_[n];
-                sum += mass_[i] * (position[i] + half * velocity_[i]);
-            }
-            return sum;
-        },
-        [](const Vec<Dim>& a, const Vec<Dim>& b) -> Vec<Dim> { return a + b; });
+    const Vec<Dim> moment = sumAll(part_.size(), [&](std::size_t n) -> Vec<Dim> {
+        const std::size_t i = part_[n];
+        return mass_[i] * (position[i] + half * velocity_[i]);
+    });
     const Vec<Dim> centre = moment / mass;
     const Vec<Dim> acceleration =
         input::VectorAtTime<Dim>(force_, clock.time + half)(centre) / mass;

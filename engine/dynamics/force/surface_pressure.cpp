@@ -27,8 +27,10 @@ SurfacePressure<Dim>::SurfacePressure(Part<Dim> part, input::FieldExpression pre
       mass_(part.body().particles.scalar(fields::mass)) {}
 
 template <int Dim>
-void SurfacePressure<Dim>::prepare(Origin) {
+void SurfacePressure<Dim>::findAreas() {
     ParticleSet<Dim>& particles = part_.body().particles;
+    if (arrangement_ == particles.arrangement()) return;
+    arrangement_ = particles.arrangement();
     const auto& start = particles.vector(fields::initial_position);
     const auto& volume = particles.scalar(fields::volume);
     area_.resize(part_.size());
@@ -43,6 +45,7 @@ void SurfacePressure<Dim>::prepare(Origin) {
 
 template <int Dim>
 void SurfacePressure<Dim>::run(const Clock& clock) {
+    findAreas();
     const double half = 0.5 * clock.dt;
     const auto& position = part_.body().particles.position();
     parallelFor(part_.size(), [&](std::size_t n) {

@@ -29,16 +29,20 @@ class SurfacePressure final : public Method {
     SurfacePressure(Part<Dim> part, input::FieldExpression pressure, double thickness,
                     std::vector<input::FieldExpression> normal);
 
-    void prepare(Origin) override;
+    void prepare() override { findAreas(); }
     void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
 
  private:
+    /// Where the particles have other places than those found.
+    void findAreas();
+
     Part<Dim> part_;
     input::FieldExpression pressure_;
     double thickness_;
     std::vector<input::FieldExpression> given_normal_;
-    AlignedVector<Vec<Dim>> area_;  ///< N V/d of the part's particles
+    AlignedVector<Vec<Dim>> area_;                   // N V/d of the part's particles
+    std::uint64_t arrangement_ = ~std::uint64_t{0};  // of the particles when they were found
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& external_;
     Field<Mat<Dim>>& gradient_;

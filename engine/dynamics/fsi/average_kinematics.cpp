@@ -4,6 +4,8 @@
 
 #include "core/parallel.h"
 
+#include <algorithm>
+
 namespace sphinx::fsi {
 
 template <int Dim>
@@ -11,11 +13,12 @@ AverageKinematics<Dim>::AverageKinematics(Body<Dim>& body)
     : body_(&body),
       position_(body.particles.position()),
       average_velocity_(body.particles.vector(fields::average_velocity)),
-      average_acceleration_(body.particles.vector(fields::average_acceleration)) {}
+      average_acceleration_(body.particles.vector(fields::average_acceleration)),
+      old_position_(body.particles, [this](std::size_t i) { return position_[i]; }) {}
 
 template <int Dim>
 void AverageKinematics<Dim>::begin(const Clock&) {
-    old_position_.assign(position_.data(), position_.data() + body_->size());
+    std::copy_n(position_.data(), body_->size(), old_position_.data());
 }
 
 template <int Dim>

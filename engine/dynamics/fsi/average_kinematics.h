@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/declare.h"
+#include "particles/side_array.h"
 
 namespace sphinx::fsi {
 
@@ -29,7 +30,7 @@ class AverageKinematics final : public Method {
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& average_velocity_;
     Field<Vec<Dim>>& average_acceleration_;
-    AlignedVector<Vec<Dim>> old_position_;
+    SideArray<Vec<Dim>> old_position_;  // at `begin`, or where a particle came since
     double last_dt_ = 0;
 };
 

@@ -78,11 +78,11 @@ void Update<Dim>::wrap(const Group& group) const {
         }
         for (Body<Dim>* body : group.bodies) {
             auto& position = body->particles.position();
-            const auto wrapped = parallelSum(body->size(), [&](std::size_t i) {
+            const std::size_t wrapped = countLocal(body->size(), [&](std::size_t i) {
                 double& x = position[i][k];
                 const double before = x;
                 x = group.whole ? x + step : inside(x);
-                return x == before ? 0L : 1L;
+                return x != before;
             });
             // Grids and lists of the places before are stale.
             if (wrapped > 0) ++body->version;
@@ -107,14 +107,18 @@ void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) {
         }
     }
     const auto outside = [&](std::size_t i) { return !bounds.contains(position[i]); };
-    const auto lost = parallelSum(body.size(), [&](std::size_t i) { return outside(i) ? 1L : 0L; });
-    if (lost == 0) return;
+    if (countLocal(body.size(), outside) == 0) return;
 
     std::vector<Index> particles;
-    for (std::size_t i = 0; i < body.size(); ++i) {
-        if (!outside(i)) continue;
+    for (std::size_t i = 0; i < body.size(); ++i)
+        if (outside(i)) particles.push_back(static_cast<Index>(i));
+    // Told by their numbers, wherever they stand in memory.
+    std::vector<Index> by_id = particles;
+    const auto& ids = body.particles.id();
+    std::ranges::sort(by_id, {}, [&](Index i) { return ids[i]; });
+    for (const Index i : by_id) {
         const Vec<Dim>& x = position[i];
-        const auto id = body.particles.id()[i];
+        const auto id = ids[i];
         const std::string place = world.placeText(x);
         const std::string time = world.quantityText(clock.time, unit::time);
         if (!x.allFinite())
@@ -129,7 +133,6 @@ void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) {
         if (domain.lost == LostParticles::stop)
             throw PhysicsError(message + " (lost_particles: remove would go on without it)");
         tellRemoved(message);
-        particles.push_back(static_cast<Index>(i));
     }
     body.particles.remove(particles);
     ++body.version;

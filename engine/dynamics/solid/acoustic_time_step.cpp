@@ -44,7 +44,7 @@ double AcousticTimeStep<Dim>::estimate() {
         const ParticleFibres<Dim> fibres(*body_, std::decay_t<decltype(law)>::uses_fibres);
         const std::size_t n = body_->size();
         const std::vector<double>& shares = body_->elastic().shares;
-        return parallelReduce(
+        return reduceAll(
             groupCount(n), Largest{},
             [&](std::size_t begin, std::size_t end) {
                 Wide modulus = 0, speed2 = 0, acceleration2 = 0;

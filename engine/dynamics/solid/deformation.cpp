@@ -91,6 +91,7 @@ MatOf<Dim, Wide> Deformation<Dim>::difference(const Group& group, const Field<Ve
 
 template <int Dim>
 void Deformation<Dim>::initialize() {
+    prepare();
     FirstFailure lonely;
     parallelForGroups(body_->size(), [&](const Group& group) {
         const auto moments = difference(group, initial_position_, &Neighbors::initial_position);
@@ -183,6 +184,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
 
 template <int Dim>
 void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
+    prepare();
     withLaw(*solid_, [&](const auto& law) { stress(law, clock, damping); });
 }
 

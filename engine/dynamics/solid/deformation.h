@@ -30,7 +30,7 @@ class Deformation {
 
     /// Tells the body its hourglass modulus.
     void announce();
-    /// Builds the lists where that has not been done.
+    /// Builds the lists where particles have other places than they name.
     void prepare();
     /// B_i = (-sum_j R_ij (x) g_ij)^-1, guide (30); F from the positions, (29), and dF/dt from the
     /// velocities. PhysicsError where a particle has too few neighbors.

@@ -8,15 +8,10 @@
 #include "materials/strain.h"
 
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
 
 namespace sphinx::solid {
 namespace {
-
-constexpr std::array derived{&fields::displacement,           &fields::green_lagrange_strain,
-                             &fields::piola_kirchhoff_stress, &fields::cauchy_stress,
-                             &fields::von_mises_stress,       &fields::strain_energy_density};
 
 /// In space: a body in 2D does not change across the plane.
 template <int Dim>
@@ -39,12 +34,6 @@ double vonMises(const Mat<3>& stress) {
 }
 
 }  // namespace
-
-bool isDerived(std::string_view field) {
-    for (const FieldInfo* info : derived)
-        if (info->name == field) return true;
-    return false;
-}
 
 template <int Dim>
 void derive(Body<Dim>& body, const FieldInfo& field) {

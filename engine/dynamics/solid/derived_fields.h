@@ -6,14 +6,11 @@
 
 namespace sphinx::solid {
 
-/// Whether the field follows from the state of an elastic body and is computed for outputs only:
+/// Computes a derived field (FieldKind::derived), which the body has, of all particles:
 /// displacement u = r - R; Green-Lagrange strain E = (F^T F - I)/2; first Piola-Kirchhoff stress
 /// P = F S; Cauchy stress F S F^T / det F and its von Mises stress, in 2D of plane strain (with
 /// sigma_33); strain energy per reference volume. Stresses are those of the elastic law, without
 /// damping.
-bool isDerived(std::string_view field);
-
-/// Computes the field, which the body has, of all particles.
 template <int Dim>
 void derive(Body<Dim>& body, const FieldInfo& field);
 

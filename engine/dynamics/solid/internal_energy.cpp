@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/solid/internal_energy.h"
 
-#include "core/parallel.h"
+#include "core/sum_all.h"
 #include "dynamics/solid/fibres.h"
 #include "materials/elastic_laws.h"
 #include "materials/strain.h"
@@ -39,7 +39,7 @@ double internalEnergy(Body<Dim>& body, Relations<Dim>& relations) {
     const auto& volume = body.particles.scalar(fields::volume);
     const double elastic = withLaw(*role.material, [&](const auto& law) {
         const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
-        return parallelSum(body.size(), [&](std::size_t i) {
+        return sumAll(body.size(), [&](std::size_t i) {
             if (role.share(i) == 0) return 0.0;
             return role.share(i) * volume[i] *
                    law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
@@ -53,7 +53,7 @@ double internalEnergy(Body<Dim>& body, Relations<Dim>& relations) {
         sides.push_back(&relation);
     }
     const Domain<Dim>& domain = relations.domain();
-    const double control = parallelSum(body.size(), [&](std::size_t i) {
+    const double control = sumAll(body.size(), [&](std::size_t i) {
         if (role.share(i) == 0) return 0.0;
         double sum = 0;
         for (const auto* side : sides) sum += unseenMotion(*side, domain, i, gradient[i]);

@@ -17,7 +17,7 @@ template <int Dim>
 class LinearCorrection final : public Method {
  public:
     LinearCorrection(Context<Dim>& context, Body<Dim>& body) : deformation_(context, body, false) {}
-    void prepare(Origin) override { deformation_.prepare(); }
+    void prepare() override { deformation_.prepare(); }
     void run(const Clock&) { deformation_.initialize(); }
     std::size_t workSize() const override { return deformation_.body().size(); }
 

@@ -25,7 +25,7 @@ class StressRelaxation final : public Method {
  public:
     StressRelaxation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control, bool damping);
     void announce() override { deformation_.announce(); }
-    void prepare(Origin) override { deformation_.prepare(); }
+    void prepare() override { deformation_.prepare(); }
     std::size_t workSize() const override { return body_->size(); }
 
     void firstHalf(const Clock& clock);

@@ -20,7 +20,7 @@ class StressUpdate final : public Method {
     StressUpdate(Context<Dim>& context, Body<Dim>& body, bool hourglass_control)
         : deformation_(context, body, hourglass_control) {}
     void announce() override { deformation_.announce(); }
-    void prepare(Origin) override { deformation_.prepare(); }
+    void prepare() override { deformation_.prepare(); }
     void firstHalf(const Clock& clock) { deformation_.firstHalf(clock); }
     void secondHalf(const Clock& clock) { deformation_.secondHalf(clock.dt); }
     std::size_t workSize() const override { return deformation_.body().size(); }

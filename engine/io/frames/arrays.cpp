@@ -28,14 +28,14 @@ std::vector<int> componentMap(Rank rank, FieldLayout layout) {
 }
 
 template <class T>
-void convert(const double* from, int stride, const std::vector<int>& map, std::size_t particles,
+void convert(const double* from, int stride, const std::vector<int>& map, const IdOrder& order,
              T* to) {
     const std::size_t width = map.size();
-    parallelRanges(particles, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const double* source = from + i * static_cast<std::size_t>(stride);
+    parallelRanges(order.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const double* source = from + order[k] * static_cast<std::size_t>(stride);
             for (std::size_t c = 0; c < width; ++c)
-                to[i * width + c] = map[c] < 0 ? T{0} : static_cast<T>(source[map[c]]);
+                to[k * width + c] = map[c] < 0 ? T{0} : static_cast<T>(source[map[c]]);
         }
     });
 }
@@ -44,15 +44,6 @@ bool unchangedOrder(const std::vector<int>& map) {
     for (std::size_t c = 0; c < map.size(); ++c)
         if (map[c] != static_cast<int>(c)) return false;
     return true;
-}
-
-std::string_view rawBytes(const FieldBase& field, std::size_t particles) {
-    const void* data = field.info().rank == Rank::integer
-                           ? static_cast<const void*>(field.integers())
-                           : static_cast<const void*>(field.numbers());
-    const std::size_t bytes = particles * static_cast<std::size_t>(field.components()) * 8;
-    return bytes == 0 ? std::string_view()
-                      : std::string_view(static_cast<const char*>(data), bytes);
 }
 
 }  // namespace
@@ -85,33 +76,34 @@ double frameBytes(const std::vector<const FieldBase*>& fields, std::size_t parti
 }
 
 template <int Dim>
-ArrayView ArrayGatherer<Dim>::gather(const FieldBase& field, std::size_t particles) {
+ArrayView ArrayGatherer<Dim>::gather(const FieldBase& field, const IdOrder& order) {
     ArrayView view;
     view.name = field.info().name;
     if (field.info().rank == Rank::integer) {
         view.type = NumberType::int64;
-        view.bytes = rawBytes(field, particles);
+        view.bytes = order.bytes(field, buffer_);
         return view;
     }
     const std::vector<int> map = componentMap<Dim>(field.info().rank, layout_);
     view.components = static_cast<int>(map.size());
     if (!single_precision_ && field.components() == view.components && unchangedOrder(map)) {
-        view.bytes = rawBytes(field, particles);
+        view.bytes = order.bytes(field, buffer_);
         return view;
     }
     view.type = single_precision_ ? NumberType::float32 : NumberType::float64;
-    buffer_.resize(particles * map.size() * bytesOf(view.type));
+    buffer_.resize(order.size() * map.size() * bytesOf(view.type));
     void* target = buffer_.data();
     if (single_precision_)
-        convert(field.numbers(), field.components(), map, particles, static_cast<float*>(target));
+        convert(field.numbers(), field.components(), map, order, static_cast<float*>(target));
     else
-        convert(field.numbers(), field.components(), map, particles, static_cast<double*>(target));
+        convert(field.numbers(), field.components(), map, order, static_cast<double*>(target));
     view.bytes = {buffer_.data(), buffer_.size()};
     return view;
 }
 
-std::uint64_t fieldFingerprint(const FieldBase& field, std::size_t particles) {
-    return fingerprint(rawBytes(field, particles));
+std::uint64_t fieldFingerprint(const FieldBase& field, const IdOrder& order) {
+    AlignedVector<char> buffer;
+    return fingerprint(order.bytes(field, buffer));
 }
 
 std::string frameName(std::string_view body, std::int64_t frame, std::string_view extension) {

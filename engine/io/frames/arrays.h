@@ -5,6 +5,7 @@
 #include "bodies/body.h"
 #include "io/file/file.h"
 #include "io/file/number_type.h"
+#include "particles/id_order.h"
 
 #include <string>
 #include <string_view>
@@ -39,14 +40,15 @@ enum class FieldLayout {
     padded,  ///< 3 components, 3 x 3 row by row; zeros where 2D has nothing (as VTK wants them)
 };
 
-/// Brings fields into the layout of a file. The view is valid until the next call.
+/// Brings fields into the layout of a file, particles by ascending id. The view is valid until the
+/// next call.
 template <int Dim>
 class ArrayGatherer {
  public:
     ArrayGatherer(FieldLayout layout, bool single_precision)
         : layout_(layout), single_precision_(single_precision) {}
 
-    ArrayView gather(const FieldBase& field, std::size_t particles);
+    ArrayView gather(const FieldBase& field, const IdOrder& order);
 
  private:
     FieldLayout layout_;
@@ -62,8 +64,8 @@ int componentsOf(Rank rank, FieldLayout layout);
 double frameBytes(const std::vector<const FieldBase*>& fields, std::size_t particles,
                   double number);
 
-/// Bytes of the field as it lies in memory, to tell whether it changed.
-std::uint64_t fieldFingerprint(const FieldBase& field, std::size_t particles);
+/// Of the values of the field by ascending id, to tell whether it changed.
+std::uint64_t fieldFingerprint(const FieldBase& field, const IdOrder& order);
 
 /// "water_000012.vtu"
 std::string frameName(std::string_view body, std::int64_t frame, std::string_view extension);

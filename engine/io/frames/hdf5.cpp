@@ -74,14 +74,13 @@ void Hdf5Output<Dim>::open() {
 }
 
 template <int Dim>
-std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(const FieldBase& field,
-                                                     std::size_t particles) {
-    const ArrayView view = gatherer_.gather(field, particles);
+std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(const FieldBase& field, const IdOrder& order) {
+    const ArrayView view = gatherer_.gather(field, order);
     Dimensions row_shape;
     if (field.info().rank == Rank::vector) row_shape = {Dim};
     if (field.info().rank == Rank::matrix) row_shape = {Dim, Dim};
     auto array = std::make_shared<ChunkedArray>(numberOf(view.type), row_shape,
-                                                chunkRowsFor(particles), true);
+                                                chunkRowsFor(order.size()), true);
     array->setAttributes({{"unit", parameters_.units.text(field.info().unit)},
                           {"description", std::string(field.info().doc)}});
     array->appendChunks(file_->file(), view.bytes);
@@ -92,13 +91,13 @@ template <int Dim>
 void Hdf5Output<Dim>::write(const Clock& clock) {
     open();
     for (auto& series : series_) {
-        const std::size_t particles = series->body->size();
+        const IdOrder order(series->body->particles);
         Group frame;
         frame.setAttributes({{"time", clock.time}, {"step", clock.steps}});
         for (auto& member : series->members) {
-            const std::uint64_t now = fieldFingerprint(*member.field, particles);
+            const std::uint64_t now = fieldFingerprint(*member.field, order);
             if (!member.stored || now != member.fingerprint) {
-                const Address address = store(*member.field, particles)->store(file_->file());
+                const Address address = store(*member.field, order)->store(file_->file());
                 member.stored = std::make_shared<StoredNode>(address);
                 member.fingerprint = now;
             }

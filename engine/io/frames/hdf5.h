@@ -37,7 +37,7 @@ class Hdf5Output final : public Output {
     struct Series;  // of one body
 
     void open();
-    std::shared_ptr<hdf5::ChunkedArray> store(const FieldBase& field, std::size_t particles);
+    std::shared_ptr<hdf5::ChunkedArray> store(const FieldBase& field, const IdOrder& order);
 
     Hdf5Parameters parameters_;
     std::shared_ptr<ResultsFile> file_;

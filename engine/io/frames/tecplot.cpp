@@ -37,10 +37,11 @@ std::vector<std::string> componentNames(const FieldInfo& info) {
     return names;
 }
 
-std::string formatLines(const std::vector<const FieldBase*>& fields, std::size_t begin,
-                        std::size_t end) {
+std::string formatLines(const std::vector<const FieldBase*>& fields, const IdOrder& order,
+                        std::size_t begin, std::size_t end) {
     std::string text;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t k = begin; k < end; ++k) {
+        const std::size_t i = order[k];
         for (const FieldBase* field : fields) {
             const auto width = static_cast<std::size_t>(field->components());
             for (std::size_t c = 0; c < width; ++c) {
@@ -92,7 +93,8 @@ void TecplotOutput<Dim>::write(const Clock& clock) {
     int strand = 0;
     for (const Series& series : series_) {
         ++strand;
-        const std::size_t particles = series.body->size();
+        const IdOrder order(series.body->particles);
+        const std::size_t particles = order.size();
         if (particles == 0) continue;
         std::string header =
             "TITLE = " + quoted(series.body->name) + "\nVARIABLES =" + series.variables + "\n";
@@ -111,8 +113,8 @@ void TecplotOutput<Dim>::write(const Clock& clock) {
                 blocks.size(),
                 [&](std::size_t b) {
                     const std::size_t first = std::min(end, begin + b * lines_in_block);
-                    blocks[b] =
-                        formatLines(series.fields, first, std::min(end, first + lines_in_block));
+                    blocks[b] = formatLines(series.fields, order, first,
+                                            std::min(end, first + lines_in_block));
                 },
                 1);
             for (const std::string& block : blocks) file.write(block);

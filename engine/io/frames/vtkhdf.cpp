@@ -29,13 +29,13 @@ class VtkHdfOutput<Dim>::Series {
         VtkHdfStep step;
         step.time = clock.time;
         step.frame = frame;
-        const std::size_t particles = body_->size();
-        step.part = layout_->part(*file_, particles);
+        const IdOrder order(body_->particles);
+        step.part = layout_->part(*file_, order.size());
         for (std::size_t m = 0; m < members_.size(); ++m) {
             Member& member = members_[m];
-            const std::uint64_t now = fieldFingerprint(*member.field, particles);
+            const std::uint64_t now = fieldFingerprint(*member.field, order);
             if (member.row < 0 || now != member.fingerprint) {
-                const std::string_view rows = gatherer_.gather(*member.field, particles).bytes;
+                const std::string_view rows = gatherer_.gather(*member.field, order).bytes;
                 member.row = layout_->append(*file_, m, rows);
                 member.fingerprint = now;
             }

@@ -132,12 +132,12 @@ struct VtuOutput<Dim>::Series {
     std::string last_file;  // empty: none yet
 
     /// Of what a frame would hold: a resumed run may write other fields in another precision.
-    std::uint64_t fingerprint(bool single_precision) const {
+    std::uint64_t fingerprint(bool single_precision, const IdOrder& order) const {
         std::string names = single_precision ? "single" : "double";
         for (const FieldBase* field : fields) names += " " + std::string(field->info().name);
         std::uint64_t sum = io::fingerprint(names);
         const auto add = [&](const FieldBase& field) {
-            sum = std::rotl(sum, 7) * 31 + fieldFingerprint(field, body->size());
+            sum = std::rotl(sum, 7) * 31 + fieldFingerprint(field, order);
         };
         add(*position);
         for (const FieldBase* field : fields) add(*field);
@@ -183,10 +183,11 @@ std::vector<OutputFile> VtuOutput<Dim>::files() const {
 template <int Dim>
 void VtuOutput<Dim>::write(const Clock& clock) {
     for (auto& series : series_) {
-        const std::uint64_t now = series->fingerprint(parameters_.single_precision);
+        const IdOrder order(series->body->particles);
+        const std::uint64_t now = series->fingerprint(parameters_.single_precision, order);
         if (series->last_file.empty() || now != series->last_fingerprint) {
             const std::string name = frameName(series->body->name, frames_, ".vtu");
-            writeFrame(*series, parameters_.folder / name, clock.time);
+            writeFrame(*series, order, parameters_.folder / name, clock.time);
             series->last_file = name;
             series->last_fingerprint = now;
         }
@@ -198,8 +199,9 @@ void VtuOutput<Dim>::write(const Clock& clock) {
 }
 
 template <int Dim>
-void VtuOutput<Dim>::writeFrame(Series& series, const Path& path, double time) {
-    const std::size_t n = series.body->size();
+void VtuOutput<Dim>::writeFrame(Series& series, const IdOrder& order, const Path& path,
+                                double time) {
+    const std::size_t n = order.size();
     const char* number = parameters_.single_precision ? "Float32" : "Float64";
     const auto unit = [&](const FieldBase& field) {
         return parameters_.units.text(field.info().unit);
@@ -232,8 +234,8 @@ void VtuOutput<Dim>::writeFrame(Series& series, const Path& path, double time) {
     AtomicFile file(path);
     Appender appender(file, header);
     for (const FieldBase* field : series.fields)
-        appender.add(encode(gatherer_.gather(*field, n).bytes));
-    appender.add(encode(gatherer_.gather(*series.position, n).bytes));
+        appender.add(encode(gatherer_.gather(*field, order).bytes));
+    appender.add(encode(gatherer_.gather(*series.position, order).bytes));
     series.cells.update(n);
     appender.add(series.cells.connectivity);
     appender.add(series.cells.offsets);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <limits>
 
 namespace sphinx::io {
@@ -76,6 +77,8 @@ void readBody(XmlReader& reader, const XmlElement& element, const RestartBody<Di
     if (ids.size() != count) reader.fail("there are fewer ids than particles");
     for (const std::int64_t id : ids)
         if (id < 0 || id >= next_id) reader.fail("an id is out of range");
+    if (std::ranges::adjacent_find(ids, std::ranges::greater_equal()) != ids.end())
+        reader.fail("the ids do not ascend");
     particles.restore(count, next_id);
     std::copy(ids.begin(), ids.end(), particles.id().data());
 

@@ -48,7 +48,8 @@ struct RestartBody {
 using StateTransfer = std::function<void(Archive&)>;
 
 /// Writes a restart: complete or not at all. Particle data go to the file in pieces of 65536
-/// values, each with a checksum, in storage order; the end carries a checksum of the whole file.
+/// values, each with a checksum, particles by ascending id; the end carries a checksum of the whole
+/// file.
 template <int Dim>
 void writeRestart(const Path& path, const RestartHeader& header, const StateTransfer& state,
                   const std::vector<RestartBody<Dim>>& bodies, RestartEncoding encoding);

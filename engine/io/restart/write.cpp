@@ -8,6 +8,7 @@
 #include "io/restart/values.h"
 #include "io/xml/archive.h"
 #include "io/xml/text.h"
+#include "particles/id_order.h"
 
 #include <algorithm>
 #include <array>
@@ -47,15 +48,15 @@ const char* rankName(Rank rank) {
     return "integer";
 }
 
-void writeField(Stream& stream, const FieldBase& field, std::size_t particles,
+void writeField(Stream& stream, const FieldBase& field, const IdOrder& order,
                 RestartEncoding encoding) {
     const bool integers = field.info().rank == Rank::integer;
     stream.write("<field" + attribute("name", field.info().name) +
                  attribute("rank", rankName(field.info().rank)) +
                  attribute("components", std::to_string(field.components())) + ">\n");
-    const std::size_t values = particles * static_cast<std::size_t>(field.components());
-    const char* data = integers ? reinterpret_cast<const char*>(field.integers())
-                                : reinterpret_cast<const char*>(field.numbers());
+    AlignedVector<char> buffer;
+    const std::string_view bytes = order.bytes(field, buffer);
+    const std::size_t values = bytes.size() / 8;
     // A few pieces at a time: encoded by all threads, never all in memory.
     std::array<std::string, 8> pieces;
     for (std::size_t begin = 0; begin < values; begin += pieces.size() * values_in_piece) {
@@ -66,8 +67,8 @@ void writeField(Stream& stream, const FieldBase& field, std::size_t particles,
                 pieces[p].clear();
                 if (first < values)
                     pieces[p] =
-                        encodePiece(data + 8 * first, std::min(values_in_piece, values - first),
-                                    integers, encoding);
+                        encodePiece(bytes.data() + 8 * first,
+                                    std::min(values_in_piece, values - first), integers, encoding);
             },
             1);
         for (const std::string& piece : pieces) stream.write(piece);
@@ -104,6 +105,7 @@ void writeRestart(const Path& path, const RestartHeader& header, const StateTran
     stream.write("<state>\n" + archive.xml() + "</state>\n");
     for (const RestartBody<Dim>& entry : bodies) {
         const ParticleSet<Dim>& particles = entry.body->particles;
+        const IdOrder order(particles);
         stream.write("<body" + attribute("name", entry.body->name) +
                      attribute("particles", std::to_string(particles.size())) +
                      attribute("next_id", std::to_string(particles.nextId())) + ">\n");
@@ -113,7 +115,7 @@ void writeRestart(const Path& path, const RestartHeader& header, const StateTran
         for (const std::string& name : entry.fields)
             if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
         for (const std::string& name : names)
-            writeField(stream, *particles.find(name), particles.size(), encoding);
+            writeField(stream, *particles.find(name), order, encoding);
         stream.write("</body>\n");
     }
     stream.finish();

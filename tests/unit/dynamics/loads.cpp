@@ -145,7 +145,7 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
     SECTION("at rest") {
         force::SurfacePressure<Dim> pressure(top, expression("5 + 2*x + t", unit::pressure), d,
                                              upwards);
-        pressure.prepare(Origin::start);
+        pressure.prepare();
         pressure.run({0.9, 0.2, 0});
         const double mean = 5 + width + 1;
         CHECK((totalForce(body) + mean * area * Vec<Dim>::Unit(1)).norm() < round_off * mean);
@@ -159,7 +159,7 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
         });
         force::SurfacePressure<Dim> pressure(Part<Dim>(scene.world, {"block.middle", {}}),
                                              input::FieldExpression(5), spacing, {});
-        pressure.prepare(Origin::start);
+        pressure.prepare();
         pressure.run({});
         const double part = std::pow(4 * spacing, Dim - 1);
         CHECK((totalForce(body) + 5 * part * Vec<Dim>::Unit(1)).norm() < round_off);
@@ -172,7 +172,7 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
         stretch(1, 1) = 0.8;  // across
         auto& F = body.particles.matrix(fields::deformation_gradient);
         for (std::size_t i = 0; i < body.size(); ++i) F[i] = Q * stretch;
-        pressure.prepare(Origin::start);
+        pressure.prepare();
         pressure.run({});
         const Vec<Dim> expected = -5 * 1.5 * area * Q.col(1);
         CHECK((totalForce(body) - expected).norm() < round_off * expected.norm());

@@ -37,7 +37,7 @@ struct Stepper {
         others.insert(others.end(), {&correction, &relaxation});
         for (Method* method : others) method->announce();
         findShares(body);
-        for (Method* method : others) method->prepare(Origin::start);
+        for (Method* method : others) method->prepare();
         start();
     }
     void start() { correction.run({.is_start = true}); }
