@@ -43,7 +43,7 @@ loop::Layer makeLayer(const Case& model, const Layer& source, const loop::LayerF
     for (const Name& name : source.dt_methods)
         layer.dt.push_back({name.text, methods.timeStep(name.text)});
     layer.fixed_dt = source.dt;
-    layer.fit = static_cast<loop::Fit>(source.fit);
+    layer.fit = source.fit;
     const std::vector<loop::Zeroing> zeroings = loop::zeroings(facts);
     std::size_t zeroed = 0;
     for (std::size_t k = 0; k < source.steps.size(); ++k) {

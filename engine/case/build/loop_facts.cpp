@@ -69,7 +69,7 @@ class FactsMaker {
         loop::LayerFacts facts;
         facts.id = id(source.place);
         facts.name = source.name;
-        facts.fit = static_cast<loop::Fit>(source.fit);
+        facts.fit = source.fit;
         facts.fixed_dt = source.dt.has_value();
         for (const Name& name : source.dt_methods) {
             loop::LineFacts estimate;

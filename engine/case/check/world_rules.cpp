@@ -5,6 +5,7 @@
 #include "case/language/rules.h"
 
 namespace sphinx::model {
+
 template <int Dim>
 void checkWorldRules(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
     BuiltCase<Dim> built{writtenCase(model, diagnostics), world};

@@ -8,6 +8,7 @@
 #include "input/declaration/component.h"
 #include "input/declaration/registry.h"
 #include "input/expressions/units.h"
+#include "loop/plan/fit.h"
 #include "loop/plan/window.h"
 
 #include <map>
@@ -108,7 +109,7 @@ struct Sight {
     std::vector<Contact> sees;
 };
 
-enum class Fit { split, clip, overshoot };
+using loop::Fit;
 
 struct Layer;
 

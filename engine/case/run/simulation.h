@@ -2,28 +2,77 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "case/build/loop.h"
+#include "case/build/outputs.h"
 #include "case/model/model.h"
+#include "case/run/health.h"
+#include "case/run/options.h"
+#include "case/run/restart_source.h"
+#include "loop/run/runner.h"
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace sphinx::model {
-
-struct RunOptions {
-    std::string output;  ///< results folder; empty: output/NAME below the present folder
-    int threads = 0;     ///< 0: all of the machine
-    bool overwrite = false;
-    bool resume = false;               ///< go on from the newest valid restart in the folder
-    std::string restart;               ///< go on from this restart file
-    std::optional<double> time_limit;  ///< seconds of wall clock, then a restart is written
-    bool outputs = true;               ///< false: nothing but the log is written
-};
 
 /// "dam_break_2d" for cases/dam_break_2d/case.yaml, else the name of the file.
 std::string caseName(const Case& model);
 
-/// Runs a case; returns the exit code: 0, or 128 + the signal that stopped it after a restart was
-/// written. Throws CaseError, PhysicsError, FileError.
-int runCase(const Case& model, const RunOptions& options);
+/// A case at work, for whoever drives it: a run, a test, another program. Use: construct;
+/// prepare(); begin(); step() while it is not finished(), or less often; end(). Case and options
+/// outlive it. Errors of the case are CaseError, those of the state PhysicsError, those of files
+/// FileError.
+template <int Dim>
+class Simulation {
+ public:
+    /// Makes the world, unless a restart brings the particles, and the methods. `folder`: that of
+    /// the results; nothing is written there yet.
+    Simulation(const Case& model, const RunOptions& options, io::Path folder,
+               io::Provenance provenance);
+
+    /// Makes the outputs, still without writing, and reads the restart to go on from.
+    void prepare();
+    /// The calls of `start` and the first outputs; after a restart outputs go on.
+    void begin() { runner_->begin(); }
+    /// One outermost step, the check of its state, the outputs that are due.
+    void step();
+    /// The end time is reached.
+    bool finished() const { return runner_->finished(); }
+    /// The last outputs; of a run that is not finished its restarts only.
+    void end() { runner_->end(); }
+
+    bool resuming() const { return options_.resume || !options_.restart.empty(); }
+    const RestartSource& source() const { return source_; }  ///< when resuming
+    std::string_view warnings() const { return warnings_; }
+    World<Dim>& world() { return *world_; }
+    /// Of the outermost layer.
+    const Clock& clock() const { return runner_->clock(); }
+    loop::Profile profile() const { return runner_->profile(); }
+    /// Throws PhysicsError where a number is none any more.
+    void checkHealth() { health_->check(clock()); }
+
+ private:
+    io::RestartHeader restartHeader() const;
+    std::vector<io::RestartBody<Dim>> restartBodies() const;
+    void transfer(Archive& archive);
+    void restore();
+
+    const Case& model_;
+    const RunOptions& options_;
+    io::Path folder_;
+    io::Provenance provenance_;
+    PlacedFacts placed_;
+    std::string warnings_;
+    RestartSource source_;
+    std::unique_ptr<World<Dim>> world_;
+    std::unique_ptr<Relations<Dim>> relations_;
+    std::optional<Context<Dim>> context_;
+    std::unique_ptr<Methods<Dim>> methods_;
+    std::optional<Outputs<Dim>> outputs_;
+    std::unique_ptr<loop::Runner> runner_;
+    std::optional<Health<Dim>> health_;
+};
 
 }  // namespace sphinx::model

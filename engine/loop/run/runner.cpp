@@ -38,7 +38,7 @@ void Runner::start() {
     }
 }
 
-Outcome Runner::run(const AfterStep& after_step, const BeforeSteps& before_steps) {
+void Runner::begin() {
     if (resumed_)
         outputs_.resume();
     else
@@ -47,22 +47,23 @@ Outcome Runner::run(const AfterStep& after_step, const BeforeSteps& before_steps
     first_time_ = clock().time;
     first_step_ = clock().steps;
     if (!resumed_) outputs_.writeFirst();
+}
 
-    std::optional<std::string> stop = before_steps ? before_steps() : std::nullopt;
-    while (!finished() && !stop) {
-        outermost_.stepFreely();
-        {
-            const TimedCall timed(after_step_);
-            stop = after_step(clock());
-        }
-        outputs_.writeDue(wall_.seconds(), finished());
+void Runner::step(const AfterStep& check) {
+    outermost_.stepFreely();
+    {
+        const TimedCall timed(after_step_);
+        check(clock());
     }
+    outputs_.writeDue(wall_.seconds(), finished());
+}
+
+void Runner::end() {
     if (finished())
         outputs_.writeLast();
     else
         outputs_.writeRestarts();
     outputs_.finish();
-    return {finished(), finished() ? "" : *stop};
 }
 
 void Runner::transfer(Archive& archive) {

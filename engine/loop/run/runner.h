@@ -13,31 +13,26 @@
 
 namespace sphinx::loop {
 
-/// Called after every outermost step, before outputs write: the place to check the state (throw
-/// PhysicsError) and to look at signals and limits (return a reason to stop). The clock stands at
-/// the end of the step.
-using AfterStep = std::function<std::optional<std::string>(const Clock& clock)>;
-
-/// Called before the first step: returns a reason not to make it, such as a signal.
-using BeforeSteps = std::function<std::optional<std::string>()>;
-
-struct Outcome {
-    bool finished = false;  ///< the end time was reached
-    std::string reason;     ///< why not
-};
+/// Called after an outermost step, before outputs write: the place to check the state (throw
+/// PhysicsError). The clock stands at the end of the step.
+using AfterStep = std::function<void(const Clock& clock)>;
 
 /// A run from its start, or from a restart, to its end. Use: construct; transfer() from a loading
-/// archive to resume; run() once.
+/// archive to resume; begin(); step() as long as it is not finished(), or less often; end().
+/// Errors of methods and outputs pass through; files then stay as the last write left them.
 class Runner {
  public:
     /// Throws std::invalid_argument, see validate().
     explicit Runner(Plan plan);
 
-    /// Start calls (not after a restart) and first outputs, then outermost steps until the end time
-    /// is reached or `before_steps` or `after_step` asks to stop; restarts are written in each
-    /// case. Errors of methods and outputs pass through; files then stay as the last write left
-    /// them.
-    Outcome run(const AfterStep& after_step, const BeforeSteps& before_steps = {});
+    /// Start calls and first outputs; after a restart outputs go on instead.
+    void begin();
+    /// One outermost step, the check, then the outputs that are due.
+    void step(const AfterStep& check);
+    /// The end time is reached.
+    bool finished() const;
+    /// Last outputs; of a run that is not finished its restarts only.
+    void end();
 
     /// Clocks, triggers and outputs' own states. The state of methods and the particle fields are
     /// the caller's.
@@ -54,7 +49,6 @@ class Runner {
 
  private:
     void start();
-    bool finished() const;
 
     const Plan plan_;
     LayerRun outermost_;
@@ -62,8 +56,8 @@ class Runner {
     bool resumed_ = false;
     std::vector<Tally> start_tallies_;
     Tally after_step_;
-    Timer wall_;             // since run()
-    double first_time_ = 0;  // case time and steps at the beginning of run()
+    Timer wall_;             // since begin()
+    double first_time_ = 0;  // case time and steps at begin()
     std::int64_t first_step_ = 0;
 };
 

@@ -4,6 +4,7 @@
 
 #include "../memory_archive.h"
 #include "loop/plan/plan.h"
+#include "loop/run/runner.h"
 
 #include <functional>
 #include <string>
@@ -110,6 +111,24 @@ inline Layer fixedLayer(std::string name, double dt, std::vector<Step> steps,
 inline Trigger eachTime(double interval) { return {Trigger::Kind::time, interval, ""}; }
 inline Trigger eachSteps(int n, std::string layer = "") {
     return {Trigger::Kind::steps, static_cast<double>(n), std::move(layer)};
+}
+
+struct Outcome {
+    bool finished = false;  ///< the end time was reached
+    std::string reason;     ///< why not
+};
+
+/// Called after every step: returns a reason to stop.
+using Stop = std::function<std::optional<std::string>(const Clock&)>;
+
+/// A whole run, or a part of it: until `stop` has a reason, or none of it for one before the steps.
+template <class AnyRunner>
+Outcome runAll(AnyRunner&& runner, const Stop& stop, std::optional<std::string> reason = {}) {
+    runner.begin();
+    while (!runner.finished() && !reason)
+        runner.step([&](const Clock& clock) { reason = stop(clock); });
+    runner.end();
+    return {runner.finished(), runner.finished() ? "" : *reason};
 }
 
 }  // namespace sphinx::loop::fake

@@ -67,7 +67,7 @@ TEST_CASE("the profile has the shape of the loop, and its times add up") {
         "outer", 1, {call("short", short_call), {inner}, every("rare", short_call, eachSteps(2))});
     plan.outputs = {{"frames", "vtu", &output, eachSteps(1), false}};
     Runner runner(plan);
-    runner.run([](const Clock&) {
+    runAll(runner, [](const Clock&) {
         sleepFor(100);
         return std::nullopt;
     });

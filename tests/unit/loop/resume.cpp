@@ -82,7 +82,7 @@ struct Run {
     }
 
     Outcome go(std::int64_t stop_at = -1) {
-        return runner->run([=](const Clock& clock) -> std::optional<std::string> {
+        return runAll(*runner, [=](const Clock& clock) -> std::optional<std::string> {
             if (clock.steps == stop_at) return "stop";
             return {};
         });

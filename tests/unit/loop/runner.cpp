@@ -15,7 +15,7 @@ using namespace sphinx::loop::fake;
 
 namespace {
 
-const AfterStep go_on = [](const Clock&) { return std::nullopt; };
+const Stop go_on = [](const Clock&) { return std::nullopt; };
 
 struct Frames {
     Journal journal;
@@ -39,7 +39,7 @@ TEST_CASE("a run ends after the first step that reaches the end time") {
     plan.outermost = fixedLayer("outer", 0.25, {});
     Runner runner(plan);
     int steps = 0;
-    const Outcome outcome = runner.run([&](const Clock& clock) {
+    const Outcome outcome = runAll(runner, [&](const Clock& clock) {
         CHECK(clock.steps == ++steps);
         return std::nullopt;
     });
@@ -54,7 +54,7 @@ TEST_CASE("ten steps of 0.1 reach an end time of 1") {
     plan.end_time = 1;
     plan.outermost = fixedLayer("outer", 0.1, {});
     Runner runner(plan);
-    runner.run(go_on);
+    runAll(runner, go_on);
     CHECK(runner.clock().steps == 10);
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("start calls run once, before the first frame") {
     plan.outermost = fixedLayer("outer", 1, {});
     plan.outputs = {frames.entry({})};
     Runner runner(plan);
-    runner.run(go_on);
+    runAll(runner, go_on);
     CHECK(frames.journal == Journal{{"lists", 2, 0, 0}, {"frame", 2, 0, 0}, {"frame", 3, 1, 1}});
     CHECK(frames.output.finished == 1);
 }
@@ -80,14 +80,14 @@ TEST_CASE("outputs fire at the start, once for all multiples passed, and at the 
     plan.outermost = fixedLayer("outer", 0.75, {});
     plan.outputs = {frames.entry(eachTime(0.5))};
     Runner runner(plan);
-    runner.run(go_on);
+    runAll(runner, go_on);
     // 0.75 passes 0.5; 1.5 passes 1 and 1.5; 2.25 passes 2; 3 reaches 2.5 and 3.
     CHECK(frames.times() == std::vector<double>{0, 0.75, 1.5, 2.25, 3});
 
     Frames rare;
     plan.outputs = {rare.entry(eachTime(2))};
     Runner again(plan);
-    again.run(go_on);
+    runAll(again, go_on);
     CHECK(rare.times() == std::vector<double>{0, 2.25, 3});
 }
 
@@ -97,12 +97,12 @@ TEST_CASE("outputs count outermost steps, or those of a layer") {
     plan.end_time = 5;
     plan.outermost = fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}});
     plan.outputs = {frames.entry(eachSteps(2))};
-    Runner(plan).run(go_on);
+    runAll(Runner(plan), go_on);
     CHECK(frames.times() == std::vector<double>{0, 2, 4, 5});
 
     frames.journal.clear();
     plan.outputs = {frames.entry(eachSteps(6, "inner"))};
-    Runner(plan).run(go_on);
+    runAll(Runner(plan), go_on);
     CHECK(frames.times() == std::vector<double>{0, 2, 3, 5});  // 8, 12 and 20 substeps
 }
 
@@ -112,12 +112,12 @@ TEST_CASE("an interval of wall time") {
     plan.end_time = 3;
     plan.outermost = fixedLayer("outer", 1, {});
     plan.outputs = {frames.entry(Trigger{Trigger::Kind::wall_time, 1e-12, ""}, true)};
-    Runner(plan).run(go_on);
+    runAll(Runner(plan), go_on);
     CHECK(frames.times() == std::vector<double>{1, 2, 3});
 
     frames.journal.clear();
     plan.outputs = {frames.entry(Trigger{Trigger::Kind::wall_time, 1e6, ""}, true)};
-    Runner(plan).run(go_on);
+    runAll(Runner(plan), go_on);
     CHECK(frames.times() == std::vector<double>{3});
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("restarts are written last, not at the start, and know of their own wr
         runner.transfer(archive);
         saved.push_back(archive.saved);
     };
-    runner.run(go_on);
+    runAll(runner, go_on);
     CHECK(journal == Journal{{"frame", 0, 0, 0},
                              {"frame", 1, 1, 1},
                              {"restart", 1, 1, 1},
@@ -159,7 +159,7 @@ TEST_CASE("a hook stops the run; restarts are written, other outputs are not") {
     plan.outermost = fixedLayer("outer", 1, {});
     plan.outputs = {frames.entry(eachSteps(4)), {"restart", "restart", &restart, {}, true}};
     Runner runner(plan);
-    const Outcome outcome = runner.run([](const Clock& clock) -> std::optional<std::string> {
+    const Outcome outcome = runAll(runner, [](const Clock& clock) -> std::optional<std::string> {
         if (clock.steps == 3) return "interrupted";
         return {};
     });
@@ -180,7 +180,7 @@ TEST_CASE("a run that is stopped before its first step keeps its first state") {
     plan.outputs = {{"restart", "restart", &restart, {}, true},
                     {"frame", "vtu", &frame, {}, false}};
     Runner runner(plan);
-    const Outcome outcome = runner.run(go_on, [] { return std::optional<std::string>("signal"); });
+    const Outcome outcome = runAll(runner, go_on, "signal");
     CHECK_FALSE(outcome.finished);
     CHECK(outcome.reason == "signal");
     CHECK(journal == Journal{{"frame", 0, 0, 0}, {"restart", 0, 0, 0}});
@@ -190,7 +190,7 @@ TEST_CASE("a stop in the last step is a finished run") {
     Plan plan;
     plan.end_time = 1;
     plan.outermost = fixedLayer("outer", 1, {});
-    const Outcome outcome = Runner(plan).run([](const Clock&) { return "interrupted"; });
+    const Outcome outcome = runAll(Runner(plan), [](const Clock&) { return "interrupted"; });
     CHECK(outcome.finished);
     CHECK(outcome.reason.empty());
 }
@@ -203,7 +203,8 @@ TEST_CASE("what a hook or a method throws passes through before anything is writ
     plan.outputs = {frames.entry(eachSteps(1))};
     Runner runner(plan);
     CHECK_THROWS_AS(
-        runner.run([](const Clock&) -> std::optional<std::string> { throw PhysicsError("NaN"); }),
+        runAll(runner,
+               [](const Clock&) -> std::optional<std::string> { throw PhysicsError("NaN"); }),
         PhysicsError);
     CHECK(frames.times() == std::vector<double>{0});
 }
@@ -214,7 +215,7 @@ TEST_CASE("nothing to do: the end time is the start time") {
     plan.outermost = fixedLayer("outer", 1, {});
     plan.outputs = {frames.entry(eachSteps(1))};
     Runner runner(plan);
-    CHECK(runner.run(go_on).finished);
+    CHECK(runAll(runner, go_on).finished);
     CHECK(frames.times() == std::vector<double>{0});
 }
 
@@ -226,7 +227,7 @@ TEST_CASE("progress") {
     Runner runner(plan);
     CHECK(runner.progress().fraction == 0);
     CHECK(std::isnan(runner.progress().seconds_left));
-    runner.run([&](const Clock& clock) {
+    runAll(runner, [&](const Clock& clock) {
         const Progress now = runner.progress();
         CHECK(now.time == clock.time);
         CHECK(now.end_time == 5);
@@ -250,7 +251,7 @@ TEST_CASE("calls of the start know that there is no step yet") {
     plan.end_time = 2;
     plan.start = {Call{"act", &act, runOf, {}}};
     plan.outermost = fixedLayer("outer", 1, {call("act", act)});
-    Runner(plan).run(go_on);
+    runAll(Runner(plan), go_on);
     CHECK(starts == std::vector<bool>{true, false, false});
 }
 

@@ -27,8 +27,8 @@ struct Sampling : RecordingOutput {
     std::function<void()> on_sample;
 };
 
-Outcome runAll(Runner& runner) {
-    return runner.run([](const Clock&) { return std::nullopt; });
+Outcome toTheEnd(Runner& runner) {
+    return runAll(runner, [](const Clock&) { return std::nullopt; });
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ TEST_CASE("an output that samples does so after every step, before anything is w
     plan.outputs = {{"frames", "vtu", &frame, eachSteps(2), false},
                     {"mean", "observe", &mean, eachSteps(2), false}};
     Runner runner(plan);
-    runner.run([&](const Clock& clock) {
+    runAll(runner, [&](const Clock& clock) {
         journal.push_back({"looked at", clock.time, clock.dt, clock.steps});
         return std::nullopt;
     });
@@ -76,7 +76,7 @@ TEST_CASE("an inner layer is sampled at the end of each of its substeps, with it
                     call("after", after)});
     plan.outputs = {{"mean", "observe", &mean, eachSteps(1), false}};
     Runner runner(plan);
-    runAll(runner);
+    toTheEnd(runner);
     CHECK(journal == Journal{{"row", 0, 0, 0},
                              {"acoustic", 0, 0.375, 0},
                              {"sample inner", 0.375, 0.375, 1},
@@ -103,7 +103,7 @@ TEST_CASE("a substep that a layer inside it lengthens is sampled with the length
                                 Fit::overshoot)}});
     plan.outputs = {{"mean", "observe", &mean, {}, false}};
     Runner runner(plan);
-    runAll(runner);
+    toTheEnd(runner);
     CHECK(journal == Journal{{"row", 0, 0, 0},
                              {"sample middle", 0.75, 0.75, 1},
                              {"sample middle", 1.5, 0.75, 2},
@@ -128,7 +128,7 @@ TEST_CASE("what an output samples inside of the loop is counted as its time alon
     plan.outermost = fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}});
     plan.outputs = {{"mean", "observe", &mean, {}, false}};
     Runner runner(plan);
-    runAll(runner);
+    toTheEnd(runner);
     const Profile profile = runner.profile();
     CHECK(profile.output_seconds >= 0.08);
     CHECK(profile.outputs.front().calls == 6);

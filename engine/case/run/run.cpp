@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/run/run.h"
+
+#include "case/run/failed_state.h"
+#include "case/run/provenance.h"
+#include "case/run/restart_source.h"
+#include "case/run/show.h"
+#include "case/run/signals.h"
+#include "case/run/simulation.h"
+#include "core/errors.h"
+#include "core/log.h"
+#include "core/parallel.h"
+#include "io/output/folder.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+
+namespace sphinx::model {
+namespace {
+
+/// Drives a simulation to its end, or to where a signal or the time limit stops it, and tells of
+/// it.
+template <int Dim>
+class Run {
+ public:
+    Run(const Case& model, const RunOptions& options, const io::Path& folder,
+        const io::Provenance& provenance)
+        : model_(model),
+          options_(options),
+          folder_(folder),
+          provenance_(provenance),
+          simulation_(model, options, folder, provenance) {}
+
+    Simulation<Dim>& simulation() { return simulation_; }
+
+    /// The exit code.
+    int toTheEnd() {
+        logStart();
+        const Timer wall;
+        try {
+            simulation_.begin();
+            std::optional<std::string> stop = signalName();
+            while (!simulation_.finished() && !stop) {
+                simulation_.step();
+                stop = reasonToStop(wall);
+            }
+            simulation_.end();
+            finish(stop);
+            // A signal that came too late, while the last files were written, stopped nothing.
+            if (simulation_.finished()) return exit_done;
+        } catch (const PhysicsError&) {
+            writeFailedState();
+            // A number that is none any more is the reason, whoever stumbled over it first.
+            simulation_.checkHealth();
+            throw;
+        }
+        return SignalGuard::received() ? 128 + SignalGuard::received() : exit_done;
+    }
+
+ private:
+    static std::optional<std::string> signalName() {
+        switch (SignalGuard::received()) {
+            case SIGINT: return "interrupted";
+            case SIGTERM: return "told to end";
+            default: return {};
+        }
+    }
+
+    std::optional<std::string> reasonToStop(const Timer& wall) const {
+        if (auto signal = signalName()) return signal;
+        if (options_.time_limit && wall.seconds() > *options_.time_limit)
+            return fmt::format("the time limit of {:g} s is over", *options_.time_limit);
+        return {};
+    }
+
+    void finish(const std::optional<std::string>& stop) {
+        tellRemoved();
+        const loop::Profile profile = simulation_.profile();
+        for (const std::string& line : loop::profileTable(profile)) log::info(line);
+        if (options_.outputs) loop::writeProfile(profile, folder_ / "profile.json");
+        if (simulation_.finished())
+            log::info(fmt::format(
+                "done at time {}{}", timeText(),
+                options_.outputs ? "; results are in " + folder_.string() : std::string()));
+        else
+            log::info(fmt::format(
+                "stopped at time {}: {}; {}", timeText(), *stop,
+                options_.outputs ? "go on with --resume" : "without outputs there is no restart"));
+    }
+
+    std::string timeText() { return world().quantityText(simulation_.clock().time, unit::time); }
+
+    /// Particles that lost_particles: remove took since the first start of the run.
+    void tellRemoved() {
+        for (const auto& body : world().bodies) {
+            const ParticleSet<Dim>& particles = body->particles;
+            const auto removed = particles.nextId() - static_cast<std::int64_t>(particles.size());
+            if (removed > 0)
+                log::info(fmt::format("{}: {} particles left the domain and were removed",
+                                      body->name, removed));
+        }
+    }
+
+    void logStart() {
+        for (const std::string& line : simulation_.source().warnings) log::warning(line);
+        if (simulation_.resuming())
+            log::info(fmt::format("going on from {} at time {}", simulation_.source().file.string(),
+                                  timeText()));
+        for (const auto& body : world().bodies)
+            log::info(fmt::format("{}: {} particles", body->name, body->size()));
+    }
+
+    /// For inspection; the last good restart stays as it is.
+    void writeFailedState() {
+        if (!options_.outputs) return;
+        const io::Path folder = folder_ / "failed";
+        try {
+            model::writeFailedState(world(), simulation_.clock(),
+                                    {folder, false, model_.units, provenance_});
+            log::info("the state is in " + folder.string());
+        } catch (const FileError& e) {
+            // What went wrong first is what the user must hear of.
+            log::warning(fmt::format("no state for inspection: {}", e.what()));
+        }
+    }
+
+    World<Dim>& world() { return simulation_.world(); }
+
+    const Case& model_;
+    const RunOptions& options_;
+    const io::Path& folder_;
+    const io::Provenance& provenance_;
+    Simulation<Dim> simulation_;
+};
+
+std::vector<io::Path> filesRead(const Case& model, const RunOptions& options) {
+    std::vector<io::Path> files(model.sources.begin(), model.sources.end());
+    for (const auto& [path, content] : model.files) files.emplace_back(path);
+    if (!options.restart.empty()) files.emplace_back(options.restart);
+    return files;
+}
+
+template <int Dim>
+int runIn(const Case& model, const RunOptions& options) {
+    const io::Path path =
+        options.output.empty() ? io::Path("output") / caseName(model) : io::Path(options.output);
+    const io::Provenance provenance = makeProvenance(threadCount());
+    SignalGuard signals;
+    Run<Dim> run(model, options, path, provenance);
+    Simulation<Dim>& simulation = run.simulation();
+
+    // A folder to go on in is locked before its restarts are read. Any other one changes only when
+    // the case and the restart are known to be good.
+    std::optional<io::OutputFolder> folder;
+    if (options.resume && options.outputs && io::isFolder(path))
+        folder.emplace(path, io::ExistingResults::keep);
+    simulation.prepare();
+    signals.remember();
+    if (options.outputs) {
+        if (options.overwrite) requireOutside(filesRead(model, options), path);
+        if (!folder)
+            folder.emplace(path, options.overwrite ? io::ExistingResults::replace
+                                                   : io::ExistingResults::refuse);
+        io::writeFileAtomically(path / io::resolved_case_name, showCase(model));
+        log::openFile(path / "log.txt");
+    }
+    for (const auto& [name, value] : provenance.entries) log::fileOnly(name + ": " + value);
+    log::info(fmt::format("{}{}", model.title.empty() ? caseName(model) : model.title,
+                          simulation.resuming() ? ", resumed" : ""));
+    for (const std::string_view text : {std::string_view(model.warnings), simulation.warnings()})
+        if (!text.empty()) log::message(text.substr(0, text.size() - 1));
+    try {
+        const int code = run.toTheEnd();
+        log::closeFile();
+        return code;
+    } catch (const std::exception& e) {
+        log::fileOnly(std::string("error: ") + e.what());
+        throw;
+    }
+}
+
+}  // namespace
+
+int runCase(const Case& model, const RunOptions& options) {
+    setThreadCount(options.threads);
+    return model.dimension == 2 ? runIn<2>(model, options) : runIn<3>(model, options);
+}
+
+}  // namespace sphinx::model
