@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs that blow up or cannot write stop with one message and damage nothing."""
 
+import functools
 import os
 import re
 import resource
 import shutil
 import signal
 import subprocess
+import tempfile
 import unittest
 
 import numpy as np
@@ -148,6 +150,7 @@ class CannotWrite(Promise):
     """A run gets into trouble, keeps its last good restart and goes on when there is room again."""
 
     def setUp(self):
+        self.addCleanup(os.umask, os.umask(0o022))  # nobody reads the case
         super().setUp()
         self.case_file = self.case("splash_2d")
         self.whole = self.folder / "whole"
@@ -203,18 +206,27 @@ class CannotWrite(Promise):
                     subprocess.run(["umount", disk], check=True)
         self.assertGreater(resumed, 1)
 
+    @functools.cached_property
     def as_nobody(self):
         """Options that run a process without the superuser's rights."""
         if os.geteuid() != 0:
             return {}
         os.chmod(self.folder, 0o755)
-        return {"user": NOBODY, "group": NOBODY, "extra_groups": []}
+        # The folder of the executable may be one that only the superuser enters, and of memory nothing
+        # may be executed.
+        place = tempfile.TemporaryDirectory(prefix="promise.")
+        self.addCleanup(place.cleanup)
+        program = shutil.copy(SPHINX, place.name)
+        for path in (place.name, program):
+            os.chmod(path, 0o755)
+        return {"user": NOBODY, "group": NOBODY, "extra_groups": [], "cwd": self.folder,
+                "executable": program}
 
     def test_read_only_folder(self):
         parent = self.folder / "read_only"
         parent.mkdir(mode=0o555)
         output = parent / "out"
-        said = self.sphinx(self.case_file, output, expect=4, **self.as_nobody())
+        said = self.sphinx(self.case_file, output, expect=4, **self.as_nobody)
         self.assertIn("Permission denied", said)
         self.assertFalse(output.exists())
 
@@ -224,7 +236,7 @@ class CannotWrite(Promise):
         for folder in (kept, kept / "restart"):
             folder.chmod(0o555)
         for arguments in (["--resume", "--set", "loop.end_time=2"], ["--overwrite"]):
-            said = self.sphinx(self.case_file, kept, *arguments, expect=4, **self.as_nobody())
+            said = self.sphinx(self.case_file, kept, *arguments, expect=4, **self.as_nobody)
             self.assertIn("Permission denied", said)
             self.assertEqual(results.changed(before, results.content(kept)), [])
         for folder in (kept, kept / "restart"):
@@ -236,7 +248,7 @@ class CannotWrite(Promise):
         long_name = self.folder / ("a" * 300)
         for output, reason in ((hidden / "out", "Permission denied"), (long_name, "File name too long")):
             for arguments in ([], ["--resume"], ["--overwrite"]):
-                said = self.sphinx(self.case_file, output, *arguments, expect=4, **self.as_nobody())
+                said = self.sphinx(self.case_file, output, *arguments, expect=4, **self.as_nobody)
                 self.assertRegex(said, rf"^error: .*{reason}\n$")
         hidden.chmod(0o755)
 
