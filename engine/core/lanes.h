@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#if defined(__AVX512DQ__)
+#if defined(__AVX512F__)
 #include <immintrin.h>
 #endif
 
@@ -32,14 +32,14 @@ inline Lanes loadLanes(const double* p) {
 /// Conversions in one instruction, where GCC 12 makes two halves of __builtin_convertvector. (The
 /// forms with a full mask: those without read a variable that GCC thinks uninitialised.)
 inline Lanes toLanes(FloatLanes a) {
-#if defined(__AVX512DQ__)
+#if defined(__AVX512F__)
     return reinterpret_cast<Lanes>(_mm512_maskz_cvtps_pd(0xff, reinterpret_cast<__m256>(a)));
 #else
     return __builtin_convertvector(a, Lanes);
 #endif
 }
 inline FloatLanes toFloat(Lanes a) {
-#if defined(__AVX512DQ__)
+#if defined(__AVX512F__)
     return reinterpret_cast<FloatLanes>(_mm512_maskz_cvtpd_ps(0xff, reinterpret_cast<__m512d>(a)));
 #else
     return __builtin_convertvector(a, FloatLanes);
@@ -49,7 +49,7 @@ inline FloatLanes toFloat(Lanes a) {
 inline Lanes loadLanes(const std::int32_t* p) {
     WholeLanes a;
     std::memcpy(&a, p, sizeof a);
-#if defined(__AVX512DQ__)
+#if defined(__AVX512F__)
     return reinterpret_cast<Lanes>(_mm512_maskz_cvtepi32_pd(0xff, reinterpret_cast<__m256i>(a)));
 #else
     return __builtin_convertvector(a, Lanes);
@@ -58,7 +58,7 @@ inline Lanes loadLanes(const std::int32_t* p) {
 inline void storeLanes(Lanes a, double* p) { std::memcpy(p, &a, sizeof a); }
 /// Rounded to the nearest whole numbers, which must be below 2^31.
 inline void storeLanes(Lanes a, std::int32_t* p) {
-#if defined(__AVX512DQ__)
+#if defined(__AVX512F__)
     const auto b =
         reinterpret_cast<WholeLanes>(_mm512_maskz_cvtpd_epi32(0xff, reinterpret_cast<__m512d>(a)));
 #else
