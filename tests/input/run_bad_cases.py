@@ -11,12 +11,17 @@ bad_NAME.yaml is checked and its messages are compared with bad_NAME.expected. A
 """
 import difflib
 import pathlib
+import resource
+import signal
 import subprocess
 import sys
 import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-SECONDS = 5  # none of them may take long, however hostile
+# None of them may take long, however hostile: seconds that the processor works for it, which do not grow
+# with what else runs, and seconds after which nothing is waited for any more.
+SECONDS = 5
+PATIENCE = 300
 
 GENERATED = {
     "generated_long_line": lambda: "title: " + "x" * 10_000_000 + "\n",
@@ -44,7 +49,8 @@ def arguments(path):
 
 def run(sphinx, path):
     command = [sphinx, "check", path.name, *arguments(path)]
-    done = subprocess.run(command, cwd=path.parent, capture_output=True, text=True, timeout=SECONDS)
+    done = subprocess.run(command, cwd=path.parent, capture_output=True, text=True, timeout=PATIENCE,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS)))
     return done.returncode, done.stderr
 
 
@@ -53,7 +59,9 @@ def check(sphinx, path):
     try:
         code, said = run(sphinx, path)
     except subprocess.TimeoutExpired:
-        return f"{path.name}: no answer within {SECONDS} s"
+        return f"{path.name}: no answer within {PATIENCE} s"
+    if code in (-signal.SIGXCPU, -signal.SIGKILL):
+        return f"{path.name}: no answer within {SECONDS} s of work"
     wanted = 2 if path.name.startswith("bad_") else 0
     if code != wanted:
         return f"{path.name}: exit code {code} instead of {wanted}\n{said}"

@@ -49,7 +49,7 @@ def check(sphinx, line, expected):
     arguments = [CASE if word == "CASE" else word for word in line.split()]
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([sphinx, *arguments], cwd=folder, capture_output=True, text=True,
-                              timeout=10)
+                              timeout=300)
         left = [path.name for path in pathlib.Path(folder).iterdir()]
     said = done.stderr.replace(CASE, "CASE").split("\n")[0]
     if (done.returncode, said, done.stdout, left) == (2, expected, "", []):

@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """A run killed by `kill -9` at random moments ends, resumed, in the same bits and files."""
 
+import os
+import pathlib
 import random
+import resource
 import subprocess
 import time
 import unittest
@@ -19,10 +22,10 @@ class Killed(Promise):
     def test_kill_9(self):
         case = self.case("splash_2d", variables__spacing=0.0125, loop__end_time=0.6)
         whole = self.folder / "whole"
-        begin = time.monotonic()
         self.sphinx(case, whole)
-        # A kill comes after about a fifth of the run, so that most runs take several.
-        longest = 0.4 * (time.monotonic() - begin)
+        # A kill comes after about a fifth of the run, so that most runs take several: a fifth of the work,
+        # since time passes faster or slower with what else the machine does.
+        longest = 0.4 * self.work_of_children()
         chance = random.Random(1)
         hits = tried = runs = 0
         while tried < KILLS:
@@ -34,7 +37,7 @@ class Killed(Promise):
                                            stderr=subprocess.PIPE, text=True)
                 stepping = self.wait_for_steps(process)
                 if tried < KILLS and stepping:
-                    time.sleep(chance.uniform(0, longest))
+                    self.wait_for_work(process, chance.uniform(0, longest))
                     tried += 1
                     if process.poll() is None:
                         hits += 1
@@ -56,6 +59,24 @@ class Killed(Promise):
             results.check_readable(output)
         print(f"{hits} of {tried} kills hit {runs} runs")
         self.assertGreaterEqual(hits, HITS)
+
+    @staticmethod
+    def work_of_children():
+        """Seconds that the processor has worked for processes that have ended."""
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return used.ru_utime + used.ru_stime
+
+    @staticmethod
+    def wait_for_work(process, seconds):
+        """Until the processor has worked for it so long from now on, or it has ended."""
+
+        def work():
+            fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+            return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+        begin = work()
+        while process.poll() is None and work() < begin + seconds:
+            time.sleep(0.001)
 
     @staticmethod
     def wait_for_steps(process):

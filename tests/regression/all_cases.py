@@ -10,7 +10,7 @@ report = checks.Report()
 for folder in sorted(path for path in checks.CASES.iterdir() if path.is_dir()):
     for case in sorted(folder.glob("*.yaml")):
         done = subprocess.run([checks.SPHINX, "check", str(case)], capture_output=True, text=True,
-                              timeout=60, check=False)
+                              timeout=600, check=False)
         if done.returncode != 0:
             print(done.stderr)
         report.check(f"exit code of check {folder.name}/{case.name}", done.returncode, 0, 0)

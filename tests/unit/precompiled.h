@@ -5,10 +5,10 @@
 // What nearly every unit test includes.
 #include <catch2/catch.hpp>
 
+#include <fmt/format.h>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/group.h"
+#include "particles/fields.h"
 
 #include <catch2/catch.hpp>
 
@@ -23,11 +24,9 @@ TEST_CASE("groups cover each particle once, and the last is as long as what is l
 
 namespace {
 
-constexpr FieldInfo info{"anything"};
-
 template <class T>
 Field<T> countingField(std::size_t n) {
-    Field<T> field(info);
+    Field<T> field(fields::velocity);
     field.resize(n);
     const std::size_t count = n * field.components();
     std::iota(field.numbers(), field.numbers() + count, 1.0);

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace sphinx;
 using namespace sphinx::input;
 
@@ -64,7 +66,9 @@ TEST_CASE("Messages are sorted by place, carets stand under characters") {
 TEST_CASE("Of a long line the part around the column is shown") {
     auto source = std::make_shared<Source>();
     source->name = "case.yaml";
-    source->text = std::string(5000, 'a') + "b" + std::string(5000, 'c');
+    source->text = std::string(10001, 'a');
+    source->text[5000] = 'b';
+    std::fill(source->text.begin() + 5001, source->text.end(), 'c');
     Diagnostics diagnostics;
     diagnostics.error({source, 1, 5001}, "here");
     const std::string text = diagnostics.text();

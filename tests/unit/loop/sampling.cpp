@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -123,16 +124,24 @@ TEST_CASE("what an output samples inside of the loop is counted as its time alon
     Journal journal;
     Sampling mean("row", journal, "inner");
     mean.on_sample = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost = fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}});
-    plan.outputs = {{"mean", "observe", &mean, {}, false}};
-    Runner runner(plan);
-    toTheEnd(runner);
-    const Profile profile = runner.profile();
-    CHECK(profile.output_seconds >= 0.08);
-    CHECK(profile.outputs.front().calls == 6);
-    CHECK(profile.lines.front().seconds < 0.04);
-    CHECK(profile.lines.front().lines.front().seconds < 0.04);
-    CHECK(profile.loop_seconds < 0.04);
+    // A busy machine may make the loop, which does nothing, wait as long as the samples: the least
+    // of some runs counts.
+    double loop_seconds = 1, line_seconds = 1, inner_seconds = 1;
+    for (int run = 0; run < 5; ++run) {
+        Plan plan;
+        plan.end_time = 1;
+        plan.outermost = fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}});
+        plan.outputs = {{"mean", "observe", &mean, {}, false}};
+        Runner runner(plan);
+        toTheEnd(runner);
+        const Profile profile = runner.profile();
+        CHECK(profile.output_seconds >= 0.08);
+        CHECK(profile.outputs.front().calls == 6);
+        loop_seconds = std::min(loop_seconds, profile.loop_seconds);
+        line_seconds = std::min(line_seconds, profile.lines.front().seconds);
+        inner_seconds = std::min(inner_seconds, profile.lines.front().lines.front().seconds);
+    }
+    CHECK(loop_seconds < 0.04);
+    CHECK(line_seconds < 0.04);
+    CHECK(inner_seconds < 0.04);
 }
