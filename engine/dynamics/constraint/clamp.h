@@ -19,8 +19,8 @@ struct ClampParameters {
 /// (ElasticRole::shares), so that the surface is met wherever it runs through the lattice. The
 /// motion is that of this energy, without loss. constraint.fix, where the particles of the part
 /// stand still and share stress and strain with the others, holds the body 0.6 to 0.8 spacings
-/// behind that surface instead. Between the halves of the step; at the start, it gives the images
-/// their velocity.
+/// behind that surface instead: the first of them stands half a spacing behind it and shares the
+/// strain. Between the halves of the step; at the start, it gives the images their velocity.
 template <int Dim>
 class Clamp final : public Method, public Support<Dim> {
  public:

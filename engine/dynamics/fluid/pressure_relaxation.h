@@ -26,7 +26,9 @@ struct PressureRelaxationParameters {
 ///
 /// In gravity the pressures in U* are those above the hydrostatic one, p - rho0 g . r: a fluid at
 /// rest is left at rest (Fourtakas et al. 2019, doi:10.1016/j.compfluid.2019.06.009, for the
-/// equivalent density diffusion).
+/// equivalent density diffusion). With p itself the solver takes the weight of the fluid for a
+/// jump: the pressure of water at rest is then too high by that of half a spacing at the surface.
+/// (That it is not 1.5 % too high everywhere: Kernel::gradientFactor.)
 ///
 /// Solid neighbors are walls of dummy particles, one-sided Riemann problem along the wall's normal
 /// n (turned towards the fluid): the ghost has the mirrored normal velocity (free slip) and the

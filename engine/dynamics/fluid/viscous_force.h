@@ -30,7 +30,8 @@ struct ViscousForceParameters {
 ///   Rows of particles that glide past each other have them, and so does any lattice. The central
 ///   sum needs equal fourth moments, which a shear flow does not leave: it lays the particles in
 ///   rows, and then the sum is that of 0.82 to 0.94 of mu (2D, h = 1.3 spacings, by the place of
-///   one row to the next; 1.16 for shear along the diagonals of squares). The central force
+///   one row to the next; 1.16 for shear along the diagonals of squares), at any spacing:
+///   Poiseuille flow at L/20 is 13 % off, against 0.6 % with the laplacian. The central force
 ///   conserves angular momentum: fluid that turns as a rigid body feels nothing. Of the laplacian
 ///   that is true only away from the surface. At a free surface it makes the normal derivative of v
 ///   vanish, not the traction, and so slows a free round drop of radius R down at the rate 4 nu /

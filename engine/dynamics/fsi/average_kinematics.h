@@ -16,6 +16,10 @@ struct AverageKinematicsParameters {
 /// velocity u carried on to the end of the step, where the fluid uses it. (A fluid that sees the
 /// velocity of half a step ago is a spring that pushes late: it feeds the plate's motion.) The
 /// steps of the solid belong before the second half of the fluid's pressure relaxation.
+///
+/// Modes of a stiff plate that swing more than half a time in a step of the fluid radiate at
+/// another frequency than their own, and swing up. Kelvin-Voigt damping holds them, or a smaller
+/// `cfl` of the fluid's step (measured: cases/hydrostatic_plate_fsi_2d/README.md).
 template <int Dim>
 class AverageKinematics final : public Method {
  public:

@@ -24,6 +24,10 @@ class Deformation {
     /// second order, the shear part of the acoustic tensor alone: no parameter. Where a clamp
     /// covers a part of a particle, all of its energy counts by its share s_i
     /// (ElasticRole::shares). For initialize() alone it does not matter.
+    ///
+    /// Without it a particle sees its neighbors only through F, and rows of particles decouple: the
+    /// first mode of a plate ten particles thick between fixed blocks is 5.8 % too slow at a
+    /// smoothing ratio of 1.15, with it 4.1 % (3.5 % at 0.95).
     Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
 
     Body<Dim>& body() const { return *body_; }

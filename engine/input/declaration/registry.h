@@ -8,7 +8,7 @@
 
 namespace sphinx::input {
 
-/// All declarations, filled by explicit functions such as registerFluid(Registry&).
+/// All declarations, filled by explicit functions such as registerDynamics(Registry&).
 class Registry {
  public:
     /// A new declaration; its address stays valid as long as the registry. Asserts that the name is

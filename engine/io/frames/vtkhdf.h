@@ -21,7 +21,7 @@ struct VtkHdfParameters {
 /// One BODY.vtkhdf a body: its frames as a time series (transient PolyData of VTKHDF 2.0, points
 /// with vertex cells) that ParaView from 5.12 on opens. An array that did not change since the last
 /// frame is stored once; the step refers to it again. The file is valid after every write
-/// (hdf5_file.h).
+/// (io/hdf5/file.h).
 /// A step's rows begin at a multiple of the chunk size; readers find them by the offsets.
 template <int Dim>
 class VtkHdfOutput final : public Output {

@@ -11,8 +11,8 @@
 
 /// Encoders for the few structures of the HDF5 file format that result files need: superblock 2,
 /// object headers 2, contiguous and chunked layouts 3 (readable since HDF5 1.8). Pure functions
-/// from values to bytes. Why not by the HDF5 library: see hdf5_file.h. "HDF5 File Format
-/// Specification Version 3.0", The HDF Group; section numbers in hdf5_format.cpp.
+/// from values to bytes. Why not by the HDF5 library: see hdf5/file.h. "HDF5 File Format
+/// Specification Version 3.0", The HDF Group; section numbers in format.cpp.
 namespace sphinx::io::hdf5 {
 
 using Address = std::uint64_t;
