@@ -49,9 +49,10 @@ class TimeStepMethod {
 };
 
 /// How an action uses a field of a body. `accumulate` adds to a value that the layer zeroes first;
-/// `release` sets what it has written to zero when the window of its line is over (Method::rest).
-/// The last three are about a span of the loop in place of a field ("step", "mean"), which one line
-/// opens and another closes in turn; others belong within.
+/// `release`: what it has written holds on when the window of its line is over (Method::rest): it
+/// is zero from then on, or that of a body that stands still. The last three are about a span of
+/// the loop in place of a field ("step", "mean"), which one line opens and another closes in turn;
+/// others belong within.
 enum class AccessMode { read, write, accumulate, release, open, close, within };
 
 /// It changes the field.

@@ -36,25 +36,30 @@ Words bodiesOf(const Case& model, const Component& method, const input::Paramete
     return bodies;
 }
 
+/// Without a trait every body has it.
+bool hasTrait(const Case& model, const Body& body, const std::string& trait) {
+    const Words traits = bodyTraits(body.role, model.findMaterial(body.material.text));
+    return trait.empty() || std::find(traits.begin(), traits.end(), trait) != traits.end();
+}
+
 Words ownerBodies(const Case& model, const Component& method, const std::string& owner) {
-    if (const input::Parameter* parameter = method.declaration->parameter(owner))
-        return bodiesOf(model, method, *parameter);
+    const auto [name, trait] = splitAction(owner);
+    if (const input::Parameter* parameter = method.declaration->parameter(name)) {
+        Words bodies = bodiesOf(model, method, *parameter);
+        std::erase_if(bodies, [&, &trait = trait](const std::string& body) {
+            return !hasTrait(model, *model.findBody(body), trait);
+        });
+        return bodies;
+    }
     const bool bonded = owner == "bonded";
-    const std::string trait = splitAction(owner).second;
-    assert((bonded || splitAction(owner).first == "neighbors") &&
-           "owner of an access is no parameter");
+    assert((bonded || name == "neighbors") && "owner of an access is no parameter");
     Words seen;
     for (const input::Parameter& parameter : method.declaration->parameters()) {
         const Words bodies = bodiesOf(model, method, parameter);
         for (const std::string& body : bodies)
             for (const Contact& contact : model.seenBy(body)) {
                 const Body& other = *model.findBody(contact.body.text);
-                const Words traits =
-                    bodyTraits(other.role, model.findMaterial(other.material.text));
-                const bool wanted =
-                    bonded ? contact.bonded
-                           : trait.empty() ||
-                                 std::find(traits.begin(), traits.end(), trait) != traits.end();
+                const bool wanted = bonded ? contact.bonded : hasTrait(model, other, trait);
                 if (wanted && std::find(seen.begin(), seen.end(), other.name) == seen.end())
                     seen.push_back(other.name);
             }
@@ -63,13 +68,30 @@ Words ownerBodies(const Case& model, const Component& method, const std::string&
     return seen;
 }
 
+/// Whether a method of the loop writes the field, come what may.
+bool isMade(const Case& model, const std::string& body, const std::string& field) {
+    for (const Component& method : model.dynamics) {
+        if (!model.calls(method.name)) continue;
+        for (const input::Action& action : method.declaration->actions())
+            for (const input::Access& access : action.accesses()) {
+                if (access.mode != input::AccessMode::write || access.if_made ||
+                    access.field != field)
+                    continue;
+                const Words bodies = ownerBodies(model, method, access.owner);
+                if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) return true;
+            }
+    }
+    return false;
+}
+
 }  // namespace
 
 std::vector<FieldAccess> resolveAccesses(const Case& model, const Component& method, int action) {
     std::vector<FieldAccess> resolved;
     for (const input::Access& access : method.declaration->actions()[action].accesses())
         for (const std::string& body : ownerBodies(model, method, access.owner))
-            resolved.push_back({modeOf(access.mode), body, access.field});
+            if (!access.if_made || isMade(model, body, access.field))
+                resolved.push_back({modeOf(access.mode), body, access.field});
     return resolved;
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/language/changes.h"
 
+#include "case/language/phases.h"
+#include "dynamics/constraint/prescribed_motion.h"
+
 #include <fmt/format.h>
 #include <algorithm>
 
@@ -23,6 +26,22 @@ std::vector<Place> framesOfSorted(const Case& model) {
     return places;
 }
 
+/// Motions that turn or shear a rigid body.
+std::vector<Place> turnsOfWalls(const Case& model) {
+    std::vector<Place> places;
+    for (const Component& method : model.dynamics) {
+        if (method.declaration->name() != "constraint.prescribed_motion" ||
+            !model.calls(method.name))
+            continue;
+        const auto& p = method.as<constraint::PrescribedMotionParameters>();
+        const Body* body = model.findBody(splitAction(p.part.text).first);
+        const bool turns = std::ranges::any_of(
+            p.displacement, [](const input::FieldExpression& u) { return u.dependsOnPlace(); });
+        if (turns && body->role == Role::wall) places.push_back(method.placeOf("displacement"));
+    }
+    return places;
+}
+
 }  // namespace
 
 std::span<const LanguageChange> languageChanges() {
@@ -30,6 +49,7 @@ std::span<const LanguageChange> languageChanges() {
         {2, false, framesOfSorted,
          "frames hold the particles in the order of their ids, not in that of the memory, which "
          "particles.sort changes"},
+        {2, true, turnsOfWalls, "the normals of a rigid body turn with its prescribed motion"},
     };
     return changes;
 }

@@ -13,7 +13,7 @@ using namespace input;
 
 /// How to use a vector of entries that contain a Component, and the struct of the common keys.
 struct Entries {
-    detail::Sequence sequence;
+    input::detail::Sequence sequence;
     Component* (*component)(void* entry);
     void* (*common)(void* entry);  ///< null when there are no common keys
 };
@@ -108,14 +108,14 @@ class ComponentsType final : public TypeBase {
 }  // namespace
 
 Type<std::vector<Component>> components(Kind kind) {
-    const Entries entries{detail::sequenceOf<Component>(),
+    const Entries entries{input::detail::sequenceOf<Component>(),
                           [](void* entry) { return static_cast<Component*>(entry); }, nullptr};
     return Type<std::vector<Component>>(std::make_shared<ComponentsType>(kind, nullptr, entries));
 }
 
 Type<std::vector<NamedOutput>> outputs(const Declaration& common) {
     const Entries entries{
-        detail::sequenceOf<NamedOutput>(),
+        input::detail::sequenceOf<NamedOutput>(),
         [](void* entry) -> Component* { return static_cast<NamedOutput*>(entry); },
         [](void* entry) -> void* { return &static_cast<NamedOutput*>(entry)->block; }};
     return Type<std::vector<NamedOutput>>(

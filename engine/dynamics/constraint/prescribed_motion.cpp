@@ -3,26 +3,25 @@
 #include "dynamics/constraint/prescribed_motion.h"
 
 #include "core/errors.h"
+#include "core/parallel.h"
 #include "core/sum_all.h"
-#include "materials/elastic_solid.h"
 
 #include <fmt/format.h>
-
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 namespace sphinx::constraint {
 
 template <int Dim>
-PrescribedMotion<Dim>::PrescribedMotion(const World<Dim>& world, Part<Dim> part,
-                                        std::vector<input::FieldExpression> displacement,
+PrescribedMotion<Dim>::PrescribedMotion(const World<Dim>& world, Part<Dim> part, Motion<Dim> motion,
                                         const std::vector<int>& directions)
     : world_(&world),
       part_(part),
       position_(part.body().particles.position()),
       velocity_(part.body().particles.vector(fields::velocity)),
       initial_position_(part.body().particles.vector(fields::initial_position)),
-      displacement_(std::move(displacement)) {
+      motion_(std::move(motion)) {
     moves_.fill(directions.empty());
     for (const int axis : directions) moves_[static_cast<std::size_t>(axis)] = true;
 }
@@ -30,7 +29,7 @@ PrescribedMotion<Dim>::PrescribedMotion(const World<Dim>& world, Part<Dim> part,
 template <int Dim>
 void PrescribedMotion<Dim>::requireFinite(std::initializer_list<double> times) const {
     for (const double time : times) {
-        const auto u = displacement(time);
+        const auto u = motion_.at(time);
         for (std::size_t n = 0; n < part_.size(); ++n) {
             const Vec<Dim>& start = initial_position_[part_[n]];
             for (int c = 0; c < Dim; ++c)
@@ -51,8 +50,8 @@ void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
     auto& position = this->position_;
     auto& velocity = this->velocity_;
     const auto& mass = this->part_.body().particles.scalar(fields::mass);
-    const auto before = this->displacement(clock.time);
-    const auto after = this->displacement(clock.time + dt);
+    const auto before = this->motion_.at(clock.time);
+    const auto after = this->motion_.at(clock.time + dt);
     const Vec<Dim> momentum = sumAll(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
         const Vec<Dim>& start = this->initial_position_[i];
@@ -73,10 +72,18 @@ void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
 
 template <int Dim>
 PrescribedWallMotion<Dim>::PrescribedWallMotion(const World<Dim>& world, Part<Dim> part,
-                                                std::vector<input::FieldExpression> displacement,
+                                                Motion<Dim> motion,
                                                 const std::vector<int>& directions)
-    : PrescribedMotion<Dim>(world, part, std::move(displacement), directions),
+    : PrescribedMotion<Dim>(world, part, std::move(motion), directions),
       acceleration_(part.body().particles.vector(fields::acceleration)) {}
+
+template <int Dim>
+void PrescribedWallMotion<Dim>::prepare() {
+    ParticleSet<Dim>& particles = this->part_.body().particles;
+    if (!this->motion_.turns() || !particles.find(fields::initial_normal.name)) return;
+    normal_ = &particles.vector(fields::normal);
+    initial_normal_ = &particles.vector(fields::initial_normal);
+}
 
 template <int Dim>
 double PrescribedWallMotion<Dim>::wrapped(double x, int axis) const {
@@ -94,9 +101,9 @@ void PrescribedWallMotion<Dim>::run(const Clock& clock) {
     const double half = 0.5 * dt;
     auto& position = this->position_;
     auto& velocity = this->velocity_;
-    const auto before = this->displacement(clock.time);
-    const auto middle = this->displacement(clock.time + half);
-    const auto after = this->displacement(clock.time + dt);
+    const auto before = this->motion_.at(clock.time);
+    const auto middle = this->motion_.at(clock.time + half);
+    const auto after = this->motion_.at(clock.time + dt);
     const std::size_t spoilt = countLocal(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
         const Vec<Dim>& start = this->initial_position_[i];
@@ -114,7 +121,20 @@ void PrescribedWallMotion<Dim>::run(const Clock& clock) {
         return !std::isfinite(moved);
     });
     if (spoilt > 0) this->requireFinite({clock.time, clock.time + half, clock.time + dt});
+    if (normal_) turnNormals(after);
     ++this->part_.body().version;
+}
+
+template <int Dim>
+void PrescribedWallMotion<Dim>::turnNormals(const MotionAt<Dim>& after) {
+    const double step = 1e-3 * this->part_.body().spacing;
+    parallelFor(this->part_.size(), [&](std::size_t n) {
+        const std::size_t i = this->part_[n];
+        const Mat<Dim> F = after.gradient(this->initial_position_[i], step);
+        const Vec<Dim> normal = F.inverse().transpose() * (*initial_normal_)[i];
+        const double length = normal.norm();
+        if (length > 0) (*normal_)[i] = normal / length;
+    });
 }
 
 template <int Dim>
@@ -131,20 +151,41 @@ void PrescribedWallMotion<Dim>::rest() {
 
 namespace {
 
+/// A turn has an axis, in 3D.
+template <int Dim>
+bool checkAxis(const input::Component& method, const RotationParameters& rotation,
+               input::Diagnostics& diagnostics) {
+    const bool directed = rotation.axis && rotation.axis->template as<Dim>().norm() > 0;
+    if (Dim == 3 ? directed : !rotation.axis) return true;
+    diagnostics.error(method.placeOf("rotation"),
+                      Dim == 2        ? "a rotation in 2D is about z: 'axis' is for 3D"
+                      : rotation.axis ? "the axis of the rotation has no direction"
+                                      : "a rotation in 3D needs an 'axis'");
+    return false;
+}
+
 /// The particles start where the shape has them.
 template <int Dim>
 void checkStart(const input::Component& method, BuiltCase<Dim>& built) {
     const auto& p = method.as<PrescribedMotionParameters>();
+    if (p.rotation && !checkAxis<Dim>(method, *p.rotation, built.diagnostics)) return;
     const Part<Dim> part(built.world, p.part);
-    const input::VectorAtTime<Dim> displacement(p.displacement, built.start_time);
+    const Motion<Dim> motion = p.motion<Dim>();
+    const auto displacement = motion.at(built.start_time);
     for (std::size_t n = 0; n < part.size(); ++n) {
         const Vec<Dim>& x = part.body().particles.position()[part[n]];
-        Vec<Dim> u = displacement(x);
-        for (int c = 0; c < Dim && !p.directions.empty(); ++c)
-            if (std::ranges::find(p.directions, c) == p.directions.end()) u[c] = 0;
+        Vec<Dim> u;
+        for (int c = 0; c < Dim; ++c) {
+            const bool moves =
+                p.directions.empty() || std::ranges::find(p.directions, c) != p.directions.end();
+            u[c] = moves ? displacement(x, c) : 0;
+        }
         if (u.norm() <= 1e-9 * part.body().spacing) continue;
+        const char* parameter = !p.displacement.empty() ? "displacement"
+                                : p.rotation            ? "rotation"
+                                                        : "translation";
         built.diagnostics.error(
-            method.placeOf("displacement"),
+            method.placeOf(parameter),
             fmt::format("the displacement at {} is {} at the start, but must be zero there: the "
                         "particles start where the shape has them",
                         built.world.placeText(x), built.world.placeText(u)));
@@ -152,7 +193,37 @@ void checkStart(const input::Component& method, BuiltCase<Dim>& built) {
     }
 }
 
+bool dependsOnPlace(const std::vector<input::FieldExpression>& expressions) {
+    return std::ranges::any_of(expressions, [](const auto& e) { return e.dependsOnPlace(); });
+}
+
+const input::Declaration& declareRotation(input::Registry& registry) {
+    using P = RotationParameters;
+    auto& d = registry.declare<P>(input::Kind::block, "constraint.prescribed_motion.rotation");
+    d.summary("Turn about a point, in 3D about an axis through it");
+    d.required("about", &P::about, input::coordinates(unit::length), "point that stays");
+    d.required("angle", &P::angle, input::fieldExpression(unit::none),
+               "angle in radians, an expression of t; counter-clockwise, in 3D as the axis points "
+               "to the eye");
+    d.optional("axis", &P::axis, input::coordinates(unit::none), "3D: direction of the axis");
+    return d;
+}
+
 }  // namespace
+
+std::string PrescribedMotionParameters::violation() const {
+    const bool whole = rotation || !translation.empty();
+    if (displacement.empty() && !whole)
+        return "there is no motion: give 'displacement', or 'rotation', 'translation' or both";
+    if (!displacement.empty() && whole)
+        return "'displacement' says the whole motion: 'rotation' and 'translation' are instead of "
+               "it";
+    if (whole && !directions.empty()) return "'directions' are for 'displacement'";
+    if (dependsOnPlace(translation) || (rotation && rotation->angle.dependsOnPlace()))
+        return "a body that moves as a whole has expressions of t alone: x, y and z are for "
+               "'displacement'";
+    return "";
+}
 
 void declarePrescribedMotion(input::Registry& registry) {
     using P = PrescribedMotionParameters;
@@ -161,10 +232,10 @@ void declarePrescribedMotion(input::Registry& registry) {
         []<int Dim>(const P& p, Context<Dim>& context) -> std::unique_ptr<PrescribedMotion<Dim>> {
             const Part<Dim> part(context.world, p.part);
             if (part.body().isElastic())
-                return std::make_unique<PrescribedSolidMotion<Dim>>(context.world, part,
-                                                                    p.displacement, p.directions);
-            return std::make_unique<PrescribedWallMotion<Dim>>(context.world, part, p.displacement,
-                                                               p.directions);
+                return std::make_unique<PrescribedSolidMotion<Dim>>(
+                    context.world, part, p.template motion<Dim>(), p.directions);
+            return std::make_unique<PrescribedWallMotion<Dim>>(
+                context.world, part, p.template motion<Dim>(), p.directions);
         });
     d.summary(
         "Moves particles of a solid as expressions of place and time say: of an elastic body "
@@ -174,19 +245,29 @@ void declarePrescribedMotion(input::Registry& registry) {
         "r = R + u(R, t + dt), v = (u(R, t + dt) - u(R, t))/dt; the fluid also sees the "
         "acceleration a = 4 (u(R, t + dt) - 2 u(R, t + dt/2) + u(R, t))/dt^2 of a rigid body");
     d.required("part", &P::part, input::partReference({"elastic", "rigid"}),
-               "body, or part of a body; the normals of a rigid one stay as they are");
-    d.required("displacement", &P::displacement, input::fieldVector(unit::length),
+               "body, or part of a body; the normals of a rigid one turn with it");
+    d.optional("displacement", &P::displacement, input::fieldVector(unit::length),
                "displacement u, one expression of t and of x, y, z, the initial position R, for "
                "each direction; zero at the start");
+    d.optional("rotation", &P::rotation,
+               input::structure<RotationParameters>(declareRotation(registry)),
+               "turn of the part as a whole, zero at the start");
+    d.optional("translation", &P::translation, input::fieldVector(unit::length),
+               "shift of the part as a whole, besides its rotation or alone: one expression of t "
+               "for each direction, zero at the start");
     d.optional("directions", &P::directions, input::axes(),
                "axes along which the motion is prescribed; without: all");
+    d.check("", [](const P& p) { return p.violation(); });
     d.worldRule([](const auto& method, auto& built) { checkStart(method, built); });
     d.action(
          "elastic: between the halves of the step; rigid: before the fluid's step, whose "
          "neighbors are stale from then on")
         .reads("part", {"initial_position", "position", "velocity", "acceleration", "mass"})
         .writes("part", {"position", "velocity", "acceleration"})
+        .mayRead("part.rigid", {"initial_normal", "normal"})
+        .mayWrite("part.rigid", {"normal"})
         .releases("part", {"velocity", "acceleration"})
+        .releases("part.rigid", {"normal"})
         .within("part", "step");
 }
 

@@ -31,6 +31,18 @@ Action& Action::writes(const std::string& owner, std::initializer_list<std::stri
     return *this;
 }
 
+Action& Action::mayRead(const std::string& owner, std::initializer_list<std::string_view> fields) {
+    for (std::string_view field : fields)
+        accesses_.push_back({AccessMode::read, owner, std::string(field), true});
+    return *this;
+}
+
+Action& Action::mayWrite(const std::string& owner, std::initializer_list<std::string_view> fields) {
+    for (std::string_view field : fields)
+        accesses_.push_back({AccessMode::write, owner, std::string(field), true});
+    return *this;
+}
+
 Action& Action::accumulates(const std::string& owner,
                             std::initializer_list<std::string_view> fields) {
     for (std::string_view field : fields)

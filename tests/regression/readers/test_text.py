@@ -38,7 +38,7 @@ class TextFiles(unittest.TestCase):
             subprocess.run(check + [str(path)], check=True, stderr=subprocess.DEVNULL)
             # The schema is not so loose that it takes anything.
             for good, bad in ((b'rank="vector"', b'rank="tensor"'),
-                              (b'values="', b'values="9999999'),
+                              (b'" crc32="', b'9999999" crc32="'),
                               (b"</state>", b"</state><body/>"),
                               (b"<integer name=", b"<integer title=")):
                 wrong = samples.folder() / "restart" / "wrong.xml"

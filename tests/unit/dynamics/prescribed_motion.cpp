@@ -41,7 +41,7 @@ TEST_CASE("an elastic part is where its motion says after every step") {
     };
     const auto texts = expressions({"0.02*sin(30*t)", "0.5*t*x"}, unit::length);
     const bool only_y = GENERATE(false, true);
-    PrescribedSolidMotion<2> motion(scene.world, left, texts,
+    PrescribedSolidMotion<2> motion(scene.world, left, Motion<2>(texts),
                                     only_y ? std::vector<int>{1} : std::vector<int>{});
     double other = 0;  // motion of the particles that are free, or along the free axis
     for (int k = 0; k < 200; ++k) {
@@ -70,8 +70,9 @@ TEST_CASE("what moves a body as a whole gives its mass times its acceleration") 
     ElasticScene<3> scene;
     Body<3>& body = scene.add("block", scene.lattice({4, 4, 4}, 0.1));
     Stepper<3> stepper(scene.context, body);
-    PrescribedSolidMotion<3> motion(scene.world, Part<3>(scene.world, {"block", {}}),
-                                    expressions({"1.5*t^2", "0", "-2*t^2"}, unit::length), {});
+    PrescribedSolidMotion<3> motion(
+        scene.world, Part<3>(scene.world, {"block", {}}),
+        Motion<3>(expressions({"1.5*t^2", "0", "-2*t^2"}, unit::length)), {});
     double mass = 0;
     for (std::size_t i = 0; i < body.size(); ++i) mass += body.particles.scalar(fields::mass)[i];
     for (int k = 0; k < 20; ++k) {
@@ -90,7 +91,9 @@ TEST_CASE("the stress of a block that is stretched") {
     // Velocities are those of the middle of a step: F is complete once the motion has stopped.
     PrescribedSolidMotion<3> motion(
         scene.world, Part<3>(scene.world, {"block", {}}),
-        expressions({"0.3*(t < 1 ? t : 1)*x", "-0.1*(t < 1 ? t : 1)*y", "0"}, unit::length), {});
+        Motion<3>(
+            expressions({"0.3*(t < 1 ? t : 1)*x", "-0.1*(t < 1 ? t : 1)*y", "0"}, unit::length)),
+        {});
     for (int k = 0; k < 102; ++k) stepper.step(1e-2, {}, {&motion});
     solid::derive(body, fields::piola_kirchhoff_stress);
     solid::derive(body, fields::strain_energy_density);
@@ -122,7 +125,8 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
     const auto texts = expressions({"3*t + 2*t^2 + y", "-t^2*x"}, unit::length);
 
     SECTION("position at the end of the step, velocity and acceleration of its middle") {
-        PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall", {}}), texts, {});
+        PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall", {}}),
+                                       Motion<2>(texts), {});
         const auto version = wall.version;
         motion.run(clock);
         CHECK(wall.version > version);
@@ -144,8 +148,8 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
     }
     SECTION("a part, along one axis") {
         scene.addPart(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
-        PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall.end", {}}), texts,
-                                       {1});
+        PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall.end", {}}),
+                                       Motion<2>(texts), {1});
         motion.run(clock);
         wall.particles.vector(fields::velocity).data()[wall.size() - 1][0] = 9;
         motion.rest();
@@ -157,4 +161,100 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
             CHECK(wall.particles.position()[i][1] == Approx(y).margin(4 * epsilon));
         }
     }
+}
+
+namespace {
+
+/// A wall whose normals all have one direction.
+template <int Dim>
+Body<Dim>& wallWithNormals(ElasticScene<Dim>& scene, const Vec<Dim>& normal) {
+    std::array<int, Dim> n;
+    n.fill(4);
+    Body<Dim>& wall = scene.add("wall", scene.lattice(n));
+    wall.role = WallRole{};
+    for (std::size_t i = 0; i < wall.size(); ++i)
+        wall.particles.vector(fields::normal)[i] =
+            wall.particles.vector(fields::initial_normal)[i] = normal;
+    return wall;
+}
+
+template <int Dim>
+void runTo(ElasticScene<Dim>& scene, Motion<Dim> motion, double time) {
+    PrescribedWallMotion<Dim> method(scene.world, Part<Dim>(scene.world, {"wall", {}}),
+                                     std::move(motion), {});
+    method.prepare();
+    method.run({time - 0.01, 0.01, 0});
+}
+
+}  // namespace
+
+TEST_CASE("a wall turns and shifts as a whole, and its normals with it") {
+    ElasticScene<2> scene;
+    const Vec<2> n(0.6, 0.8);
+    Body<2>& wall = wallWithNormals<2>(scene, n);
+    RotationParameters rotation;
+    rotation.about = {{0.3, -0.1}, 2};
+    rotation.angle = expression("0.5*t^2", unit::none);
+    runTo<2>(scene, Motion<2>(rotation, expressions({"t", "2*t"}, unit::length)), 1);
+    Mat<2> turn;
+    turn << std::cos(0.5), -std::sin(0.5), std::sin(0.5), std::cos(0.5);
+    const Vec<2> about(0.3, -0.1);
+    for (std::size_t i = 0; i < wall.size(); ++i) {
+        const Vec<2>& R = wall.particles.vector(fields::initial_position)[i];
+        const Vec<2> r = about + turn * (R - about) + Vec<2>(1, 2);
+        CHECK((wall.particles.position()[i] - r).norm() < 4 * epsilon);
+        CHECK((wall.particles.vector(fields::normal)[i] - turn * n).norm() < 4 * epsilon);
+        // Over a step of 0.01 at its middle, t = 0.995, where the angular speed is t.
+        const Vec<2> arm = r - Vec<2>(1, 2) - about;
+        const Vec<2> v = Vec<2>(1, 2) + Vec<2>(-arm[1], arm[0]);
+        CHECK((wall.particles.vector(fields::velocity)[i] - v).norm() < 0.02);
+    }
+}
+
+TEST_CASE("a turn that is written out as a displacement turns the normals as well") {
+    ElasticScene<2> scene;
+    const Vec<2> n(0.6, 0.8);
+    Body<2>& wall = wallWithNormals<2>(scene, n);
+    runTo<2>(scene,
+             Motion<2>(
+                 expressions({"x*cos(t) - y*sin(t) - x", "x*sin(t) + y*cos(t) - y"}, unit::length)),
+             0.7);
+    const Vec<2> turned(std::cos(0.7) * n[0] - std::sin(0.7) * n[1],
+                        std::sin(0.7) * n[0] + std::cos(0.7) * n[1]);
+    for (std::size_t i = 0; i < wall.size(); ++i)
+        CHECK((wall.particles.vector(fields::normal)[i] - turned).norm() < 1e-11);
+}
+
+TEST_CASE("normals of a wall that shears stay perpendicular to its surface") {
+    ElasticScene<2> scene;
+    Body<2>& wall = wallWithNormals<2>(scene, Vec<2>(1, 0));
+    // The surface x = const leans by the angle atan(0.5 t).
+    runTo<2>(scene, Motion<2>(expressions({"0.5*t*y", "0"}, unit::length)), 2);
+    for (std::size_t i = 0; i < wall.size(); ++i)
+        CHECK((wall.particles.vector(fields::normal)[i] - Vec<2>(1, -1).normalized()).norm() <
+              1e-11);
+}
+
+TEST_CASE("in space a wall turns about an axis") {
+    ElasticScene<3> scene;
+    Body<3>& wall = wallWithNormals<3>(scene, Vec<3>(1, 0, 0));
+    RotationParameters rotation;
+    rotation.about = {{0, 0, 0}, 3};
+    rotation.axis = input::Coordinates{{1, 1, 1}, 3};
+    rotation.angle = expression("2.09439510239319549*t", unit::none);  // a third of a turn
+    runTo<3>(scene, Motion<3>(rotation, {}), 1);
+    for (std::size_t i = 0; i < wall.size(); ++i) {  // x becomes y, y becomes z, z becomes x
+        const Vec<3>& R = wall.particles.vector(fields::initial_position)[i];
+        CHECK((wall.particles.position()[i] - Vec<3>(R[2], R[0], R[1])).norm() < 4 * epsilon);
+        CHECK((wall.particles.vector(fields::normal)[i] - Vec<3>(0, 1, 0)).norm() < 4 * epsilon);
+    }
+}
+
+TEST_CASE("a wall that only shifts keeps its normals to the bit") {
+    ElasticScene<2> scene;
+    const Vec<2> n = Vec<2>(1, 3).normalized();
+    Body<2>& wall = wallWithNormals<2>(scene, n);
+    runTo<2>(scene, Motion<2>(expressions({"3*t", "t^2"}, unit::length)), 1);
+    for (std::size_t i = 0; i < wall.size(); ++i)
+        CHECK(wall.particles.vector(fields::normal)[i] == n);
 }
