@@ -5,9 +5,9 @@
 #include "core/errors.h"
 #include "core/parallel.h"
 #include "core/sum_all.h"
+#include "dynamics/turned_normal.h"
 
 #include <fmt/format.h>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -130,10 +130,10 @@ void PrescribedWallMotion<Dim>::turnNormals(const MotionAt<Dim>& after) {
     const double step = 1e-3 * this->part_.body().spacing;
     parallelFor(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
-        const Mat<Dim> F = after.gradient(this->initial_position_[i], step);
-        const Vec<Dim> normal = F.inverse().transpose() * (*initial_normal_)[i];
-        const double length = normal.norm();
-        if (length > 0) (*normal_)[i] = normal / length;
+        Mat<Dim> F = after.gradient(this->initial_position_[i], step);
+        for (int c = 0; c < Dim; ++c)
+            if (!this->moves(c)) F.row(c) = Vec<Dim>::Unit(c).transpose();
+        (*normal_)[i] = turnedNormal<Dim>(F, (*initial_normal_)[i], (*normal_)[i]);
     });
 }
 

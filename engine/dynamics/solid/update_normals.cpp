@@ -3,8 +3,7 @@
 #include "dynamics/solid/update_normals.h"
 
 #include "core/parallel.h"
-
-#include <Eigen/LU>
+#include "dynamics/turned_normal.h"
 
 namespace sphinx::solid {
 
@@ -18,9 +17,7 @@ UpdateNormals<Dim>::UpdateNormals(Body<Dim>& body)
 template <int Dim>
 void UpdateNormals<Dim>::run(const Clock&) {
     parallelFor(body_->size(), [&](std::size_t i) {
-        const Vec<Dim> n = gradient_[i].inverse().transpose() * initial_normal_[i];
-        const double length = n.norm();
-        if (length > 0) normal_[i] = n / length;
+        normal_[i] = turnedNormal<Dim>(gradient_[i], initial_normal_[i], normal_[i]);
     });
 }
 

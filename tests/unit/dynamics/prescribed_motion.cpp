@@ -258,3 +258,14 @@ TEST_CASE("a wall that only shifts keeps its normals to the bit") {
     for (std::size_t i = 0; i < wall.size(); ++i)
         CHECK(wall.particles.vector(fields::normal)[i] == n);
 }
+
+TEST_CASE("along an axis on which a wall does not move its normals do not turn either") {
+    ElasticScene<2> scene;
+    Body<2>& wall = wallWithNormals<2>(scene, Vec<2>(1, 0));
+    PrescribedWallMotion<2> method(scene.world, Part<2>(scene.world, {"wall", {}}),
+                                   Motion<2>(expressions({"0.5*t*y", "t"}, unit::length)), {1});
+    method.prepare();
+    method.run({1.99, 0.01, 0});
+    for (std::size_t i = 0; i < wall.size(); ++i)
+        CHECK((wall.particles.vector(fields::normal)[i] - Vec<2>(1, 0)).norm() < 1e-14);
+}
