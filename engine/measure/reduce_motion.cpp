@@ -3,6 +3,7 @@
 #include "measure/reduce_motion.h"
 
 #include "core/sum_all.h"
+#include "dynamics/load.h"
 #include "dynamics/solid/internal_energy.h"
 #include "io/series/columns.h"
 #include "materials/fluid_laws.h"
@@ -139,23 +140,14 @@ std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced) {
                             reduced.units.text(unit::momentum * unit::length),
                             "sum of m x cross v about the origin",
                             {}};
-    if constexpr (Dim == 2) {
-        return sums<1>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
-            const Vec<2>& x = (*motion.x)[i];
-            const Vec<2>& v = (*motion.v)[i];
-            return std::array<double, 1>{motion.mass(i) * (x[0] * v[1] - x[1] * v[0])};
-        });
-    } else {
-        quantity.labels = componentLabels<3>(Rank::vector);
-        return sums<3>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
-            const Vec<3>& x = (*motion.x)[i];
-            const Vec<3>& v = (*motion.v)[i];
-            const double m = motion.mass(i);
-            return std::array<double, 3>{m * (x[1] * v[2] - x[2] * v[1]),
-                                         m * (x[2] * v[0] - x[0] * v[2]),
-                                         m * (x[0] * v[1] - x[1] * v[0])};
-        });
-    }
+    if (Dim == 3) quantity.labels = componentLabels<3>(Rank::vector);
+    constexpr int size = Moment<Dim>::SizeAtCompileTime;
+    return sums<size>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
+        const Moment<Dim> turn = momentOf<Dim>((*motion.x)[i], (*motion.v)[i]);
+        std::array<double, size> term;
+        for (int k = 0; k < size; ++k) term[k] = motion.mass(i) * turn[k];
+        return term;
+    });
 }
 
 template <int Dim>
