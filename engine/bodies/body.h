@@ -86,6 +86,11 @@ struct Body {
         bodies.insert(bodies.end(), bonded.begin(), bonded.end());
         return bodies;
     }
+    std::vector<const Body*> piece() const {
+        std::vector<const Body*> bodies{this};
+        bodies.insert(bodies.end(), bonded.begin(), bonded.end());
+        return bodies;
+    }
 
  private:
     template <class Role, class Variant>

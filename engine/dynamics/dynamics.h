@@ -4,7 +4,10 @@
 
 #include "core/archive.h"
 #include "core/clock.h"
+#include "input/declaration/access.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -48,18 +51,10 @@ class TimeStepMethod {
     virtual std::size_t workSize() const = 0;
 };
 
-/// How an action uses a field of a body. `accumulate` adds to a value that the layer zeroes first;
-/// `release`: what it has written holds on when the window of its line is over (Method::rest): it
-/// is zero from then on, or that of a body that stands still. The last three are about a span of
-/// the loop in place of a field ("step", "mean"), which one line opens and another closes in turn;
-/// others belong within.
-enum class AccessMode { read, write, accumulate, release, open, close, within };
+using input::AccessMode;
+using input::changes;
 
-/// It changes the field.
-inline bool changes(AccessMode mode) {
-    return mode == AccessMode::write || mode == AccessMode::accumulate;
-}
-
+/// What an action does to a field of a body of the case.
 struct FieldAccess {
     AccessMode mode = AccessMode::read;
     std::string body;
@@ -67,18 +62,28 @@ struct FieldAccess {
 };
 
 /// Pseudo fields for the check of the loop. Lists of a body go stale when its positions are
-/// written; `neighbors` wants them to exist, `fresh_neighbors` to be fresh as well. The viscous
-/// force that a fluid feels goes stale when its velocity is written: what solids then got would not
-/// be minus what the fluid has felt.
+/// written; `neighbors` wants them to exist, `fresh_neighbors` to be fresh as well.
 namespace pseudo_field {
 inline constexpr std::string_view neighbors = "neighbors";
 inline constexpr std::string_view fresh_neighbors = "fresh_neighbors";
-inline constexpr std::string_view fresh_viscous_load = "fresh_viscous_load";
 }  // namespace pseudo_field
+
+/// What a fluid has felt and a method hands on to solids: a pseudo field that the fluid's method
+/// writes and the other reads. It goes stale when `stale_by` of the fluid is written: what solids
+/// then got would not be minus what the fluid has felt.
+struct FeltLoad {
+    std::string_view field;
+    std::string_view what;  ///< in messages
+    std::string_view stale_by;
+};
+inline constexpr std::array felt_loads{
+    FeltLoad{"fresh_viscous_load", "viscous force", "velocity"},
+};
 
 inline bool isPseudoField(std::string_view field) {
     return field == pseudo_field::neighbors || field == pseudo_field::fresh_neighbors ||
-           field == pseudo_field::fresh_viscous_load;
+           std::ranges::any_of(felt_loads,
+                               [&](const FeltLoad& load) { return load.field == field; });
 }
 
 }  // namespace sphinx

@@ -7,22 +7,28 @@
 #include "core/sum_all.h"
 #include "input/types/values.h"
 
+#include <type_traits>
+
 namespace sphinx {
 
 /// Particles that a method acts on: those of a part ("gate.base"), or all of a body ("gate").
-template <int Dim>
+/// OfBody: const Body<Dim> for one who only looks (ConstPart).
+template <int Dim, class OfBody = Body<Dim>>
 class Part {
+    template <class T>
+    using Like = std::conditional_t<std::is_const_v<OfBody>, const T, T>;
+
  public:
     /// `name`: a checked reference.
-    Part(const World<Dim>& world, const input::Name& name) {
+    Part(Like<World<Dim>>& world, const input::Name& name) {
         const std::size_t dot = name.text.find('.');
         body_ = world.find(name.text.substr(0, dot));
         if (dot == std::string::npos) return;
-        for (BodyPart<Dim>& part : body_->parts)
+        for (Like<BodyPart<Dim>>& part : body_->parts)
             if (part.name == name.text.substr(dot + 1)) part_ = &part;
     }
 
-    Body<Dim>& body() const { return *body_; }
+    OfBody& body() const { return *body_; }
     std::size_t size() const { return part_ ? part_->particles.size() : body_->size(); }
     /// Index in the body of the n-th particle.
     std::size_t operator[](std::size_t n) const { return part_ ? part_->particles[n] : n; }
@@ -50,8 +56,11 @@ class Part {
     }
 
  private:
-    Body<Dim>* body_;
-    BodyPart<Dim>* part_ = nullptr;
+    OfBody* body_;
+    Like<BodyPart<Dim>>* part_ = nullptr;
 };
+
+template <int Dim>
+using ConstPart = Part<Dim, const Body<Dim>>;
 
 }  // namespace sphinx

@@ -23,10 +23,7 @@ struct HolzapfelMuscleParameters {
     /// the fibre (2D only).
     std::vector<input::FieldExpression> fibre, sheet;
 
-    struct Violation {
-        std::string parameter;
-        std::string message;
-    };
+    using Violation = MaterialViolation;
     /// The directions at a place of the reference configuration, of unit length, the sheet
     /// perpendicular to the fibre: what is written may be off by 1e-3, for rounded numbers.
     template <int Dim>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 namespace sphinx {
 
 /// Base of all material laws: pure functions of the local state, no particles.
@@ -10,6 +12,12 @@ class Material {
     virtual ~Material() = default;
     /// Reference density rho0, mass/length^3.
     virtual double density() const = 0;
+};
+
+/// What parameters say wrongly, or fail to say at some place.
+struct MaterialViolation {
+    std::string parameter;
+    std::string message;
 };
 
 /// A body that does not deform: walls, obstacles.

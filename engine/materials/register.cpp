@@ -17,9 +17,9 @@ void declareRigid(input::Registry& registry) {
     d.summary("Does not deform: walls and obstacles");
     d.trait("rigid");
     d.optional("density", &P::density, input::number(unit::density).above(0), "density");
-    d.builder(MaterialFactory([](const void* p) -> std::shared_ptr<const Material> {
+    d.builder(MaterialBuilder{[](const void* p) -> std::shared_ptr<const Material> {
         return std::make_shared<Rigid>(static_cast<const P*>(p)->density);
-    }));
+    }});
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ using input::number;
 using input::Registry;
 
 template <class Law>
-Declared<typename Law::Parameters>& declareSolid(Registry& registry, const char* name) {
+Declared<typename Law::Parameters>& declareSolid(Registry& registry, const char* name,
+                                                 std::optional<PlaceRule> place_rule = {}) {
     using P = typename Law::Parameters;
     auto& d = registry.declare<P>(Kind::material, name);
     d.trait("elastic");
@@ -22,9 +23,10 @@ Declared<typename Law::Parameters>& declareSolid(Registry& registry, const char*
                "density in the reference configuration, rho0");
     d.optional("damping", &P::damping, number(unit::dynamic_viscosity).atLeast(0),
                "Kelvin-Voigt viscosity eta: stress of eta times the rate of strain, guide (16)");
-    d.builder(MaterialFactory([](const void* p) -> std::shared_ptr<const Material> {
-        return std::make_shared<Law>(*static_cast<const P*>(p));
-    }));
+    d.builder(MaterialBuilder{[](const void* p) -> std::shared_ptr<const Material> {
+                                  return std::make_shared<Law>(*static_cast<const P*>(p));
+                              },
+                              place_rule});
     return d;
 }
 
@@ -103,9 +105,17 @@ void declareLinearElastic(Registry& registry) {
     d.check("axis_2", [](const P& p) { return p.axesViolation(); });
 }
 
+/// Directions that are none somewhere, or not perpendicular.
+template <int Dim>
+PlaceRule::Violation violationAt(const void* parameters, const Vec<Dim>& place) {
+    Fibres<Dim> fibres;
+    return static_cast<const HolzapfelMuscleParameters*>(parameters)->directions(place, fibres);
+}
+
 void declareHolzapfelMuscle(Registry& registry) {
     using P = HolzapfelMuscleParameters;
-    auto& d = declareSolid<HolzapfelMuscle>(registry, "holzapfel_muscle");
+    auto& d = declareSolid<HolzapfelMuscle>(registry, "holzapfel_muscle",
+                                            PlaceRule{violationAt<2>, violationAt<3>});
     d.trait("fibres");
     d.summary("Muscle: a soft solid with stiffening fibres in sheets");
     d.formula(

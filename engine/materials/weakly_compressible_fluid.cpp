@@ -38,9 +38,9 @@ void declareWeaklyCompressibleFluid(input::Registry& registry) {
                    ? "gamma is used by 'equation_of_state: tait' alone, here it is linear"
                    : "";
     });
-    d.builder(MaterialFactory([](const void* p) -> std::shared_ptr<const Material> {
+    d.builder(MaterialBuilder{[](const void* p) -> std::shared_ptr<const Material> {
         return makeFluid(*static_cast<const P*>(p));
-    }));
+    }});
 }
 
 }  // namespace sphinx

@@ -50,7 +50,7 @@ DerivedFields<Dim>::DerivedFields(const input::Component& output, World<Dim>& wo
             fields_.push_back(field);
     }
     if (fields_.empty()) return;
-    for (const auto& body : world.bodies) {
+    for (auto& body : world.bodies) {
         if (!body->isElastic()) continue;
         bodies_.push_back(body.get());
         for (const FieldInfo* field : fields_) body->particles.require(*field);

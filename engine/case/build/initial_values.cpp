@@ -3,7 +3,6 @@
 #include "case/build/initial_values.h"
 
 #include "case/build/access.h"
-#include "case/build/fibres.h"
 #include "core/parallel.h"
 #include "input/expressions/vector_at_time.h"
 
@@ -26,7 +25,9 @@ void giveInitialValues(const Body& source, double time, std::vector<NewParticle<
 }
 
 std::vector<std::string> initialFields(const Case& model, const Body& body) {
-    std::vector<const FieldInfo*> own = ownFields(body.role, hasFibres(model, body));
+    const Component* material = model.findMaterial(body.material.text);
+    const bool fibres = material && material->declaration->hasTrait("fibres");
+    std::vector<const FieldInfo*> own = ownFields(body.role, fibres);
     if (!body.parts.empty()) own.push_back(&fields::initial_position);
     std::vector<std::string> names;
     for (const FieldInfo* field : fields::all()) {

@@ -25,63 +25,41 @@ class ZeroField final : public Method {
 };
 
 template <int Dim>
-loop::Call makeCall(const Case& model, const Step& step, const Methods<Dim>& methods) {
-    const std::string label =
-        step.action.empty() ? step.method.text : step.method.text + "." + step.action;
-    const Component& component = *model.findMethod(step.method.text);
-    const input::Action& action = component.declaration->actions()[step.action_index];
-    return {label, methods.method(component.name),
-            action.payload<BoundAction>().template call<Dim>(),
-            step.every ? triggerOf(*step.every) : std::optional<loop::Trigger>{}, step.window};
+void bind(loop::Call& call, const Case& model, const Methods<Dim>& methods) {
+    const auto [name, action] = splitAction(call.label);
+    const input::Declaration& declaration = *model.findMethod(name)->declaration;
+    call.method = methods.method(name);
+    call.action = declaration.actions()[declaration.actionIndex(action)]
+                      .payload<BoundAction>()
+                      .template call<Dim>();
+}
+
+/// A line of the loop's own, before the first that adds to the field.
+template <int Dim>
+loop::Call zeroing(const loop::Zeroing& zero, World<Dim>& world, Methods<Dim>& methods) {
+    const auto run = [](Method& method, const Clock& clock) {
+        static_cast<ZeroField<Dim>&>(method).run(clock);
+    };
+    return {{"zero " + zero.field + " of " + zero.body},
+            methods.zero(*world.find(zero.body), zero.field),
+            run};
 }
 
 template <int Dim>
-loop::Layer makeLayer(const Case& model, const Layer& source, const loop::LayerFacts& facts,
-                      World<Dim>& world, Methods<Dim>& methods) {
-    loop::Layer layer;
-    layer.name = source.name;
-    for (const Name& name : source.dt_methods)
-        layer.dt.push_back({name.text, methods.timeStep(name.text)});
-    layer.fixed_dt = source.dt;
-    layer.fit = source.fit;
-    const std::vector<loop::Zeroing> zeroings = loop::zeroings(facts);
-    std::size_t zeroed = 0;
-    for (std::size_t k = 0; k < source.steps.size(); ++k) {
-        for (; zeroed < zeroings.size() && zeroings[zeroed].before == k; ++zeroed) {
-            const loop::Zeroing& z = zeroings[zeroed];
-            const auto zero = [](Method& method, const Clock& clock) {
-                static_cast<ZeroField<Dim>&>(method).run(clock);
-            };
-            layer.steps.push_back({loop::Call{"zero " + z.field + " of " + z.body,
-                                              methods.zero(*world.find(z.body), z.field),
-                                              zero,
-                                              {},
-                                              {}}});
-        }
-        const Step& step = source.steps[k];
-        if (step.layer)
-            layer.steps.push_back(
-                {makeLayer(model, *step.layer, std::get<loop::LayerFacts>(facts.steps[k].value),
-                           world, methods)});
+void bind(loop::Layer& layer, const Case& model, World<Dim>& world, Methods<Dim>& methods) {
+    for (loop::TimeStep& estimate : layer.dt) estimate.method = methods.timeStep(estimate.label);
+    for (loop::Step& step : layer.steps)
+        if (auto* inner = std::get_if<loop::Layer>(&step.value))
+            bind(*inner, model, world, methods);
         else
-            layer.steps.push_back({makeCall(model, step, methods)});
-    }
-    return layer;
+            bind(std::get<loop::Call>(step.value), model, methods);
+    const std::vector<loop::Zeroing> zeroings = loop::zeroings(layer);
+    for (auto zero = zeroings.rbegin(); zero != zeroings.rend(); ++zero)
+        layer.steps.insert(layer.steps.begin() + static_cast<std::ptrdiff_t>(zero->before),
+                           {zeroing(*zero, world, methods)});
 }
 
 }  // namespace
-
-std::optional<loop::Trigger> triggerOf(const Every& every) {
-    using Kind = loop::Trigger::Kind;
-    switch (every.by) {
-        case Every::By::time: return loop::Trigger{Kind::time, every.time, ""};
-        case Every::By::steps:
-            return loop::Trigger{Kind::steps, static_cast<double>(every.steps), every.layer.text};
-        case Every::By::wall_time: return loop::Trigger{Kind::wall_time, every.wall_seconds, ""};
-        case Every::By::ends: break;
-    }
-    return {};
-}
 
 template <int Dim>
 Methods<Dim>::Methods(const Case& model, Context<Dim>& context) : world_(&context.world) {
@@ -100,7 +78,7 @@ Methods<Dim>::Methods(const Case& model, Context<Dim>& context) : world_(&contex
 
 template <int Dim>
 void Methods<Dim>::prepare() {
-    for (const auto& body : world_->bodies)
+    for (auto& body : world_->bodies)
         if (body->isElastic()) findShares(*body);
     for (const auto& [name, method] : methods_) method->prepare();
 }
@@ -135,19 +113,15 @@ void Methods<Dim>::transfer(Archive& archive) {
 }
 
 template <int Dim>
-loop::Plan buildPlan(const Case& model, const loop::LoopFacts& facts, World<Dim>& world,
-                     Methods<Dim>& methods) {
-    loop::Plan plan;
-    plan.start_time = model.loop.start_time;
-    plan.end_time = model.loop.end_time;
-    for (const Step& step : model.loop.start) plan.start.push_back(makeCall(model, step, methods));
-    plan.outermost = makeLayer(model, model.loop.layer, facts.outermost, world, methods);
+loop::Plan bindPlan(loop::Plan plan, const Case& model, World<Dim>& world, Methods<Dim>& methods) {
+    for (loop::Call& call : plan.start) bind(call, model, methods);
+    bind(plan.outermost, model, world, methods);
     return plan;
 }
 
 template class Methods<2>;
 template class Methods<3>;
-template loop::Plan buildPlan(const Case&, const loop::LoopFacts&, World<2>&, Methods<2>&);
-template loop::Plan buildPlan(const Case&, const loop::LoopFacts&, World<3>&, Methods<3>&);
+template loop::Plan bindPlan(loop::Plan, const Case&, World<2>&, Methods<2>&);
+template loop::Plan bindPlan(loop::Plan, const Case&, World<3>&, Methods<3>&);
 
 }  // namespace sphinx::model

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "case/build/loop_facts.h"
 #include "case/model/model.h"
 #include "dynamics/declare.h"
 #include "loop/plan/plan.h"
@@ -45,13 +44,10 @@ class Methods {
     std::vector<std::unique_ptr<Method>> zeros_;
 };
 
-/// The loop of a case, ready to run but for its outputs. Calls of particles.sort and others that
-/// only change speed are in it like any other.
+/// The plan that loopFacts() describes, ready to run but for its outputs: each line with its
+/// method, and lines that zero what others accumulate.
 template <int Dim>
-loop::Plan buildPlan(const Case& model, const loop::LoopFacts& facts, World<Dim>& world,
-                     Methods<Dim>& methods);
-
-/// The trigger of an `every`; nothing for the start and the end only.
-std::optional<loop::Trigger> triggerOf(const Every& every);
+loop::Plan bindPlan(loop::Plan described, const Case& model, World<Dim>& world,
+                    Methods<Dim>& methods);
 
 }  // namespace sphinx::model

@@ -10,6 +10,19 @@
 #include <algorithm>
 
 namespace sphinx::model {
+
+std::optional<loop::Trigger> triggerOf(const Every& every) {
+    using Kind = loop::Trigger::Kind;
+    switch (every.by) {
+        case Every::By::time: return loop::Trigger{Kind::time, every.time, ""};
+        case Every::By::steps:
+            return loop::Trigger{Kind::steps, static_cast<double>(every.steps), every.layer.text};
+        case Every::By::wall_time: return loop::Trigger{Kind::wall_time, every.wall_seconds, ""};
+        case Every::By::ends: break;
+    }
+    return {};
+}
+
 namespace {
 
 class FactsMaker {
@@ -31,10 +44,11 @@ class FactsMaker {
             }
         }
         facts.makers = fieldMakers(*model_.registry);
-        facts.start_time = model_.loop.start_time;
         facts.time_unit = model_.units.suffix(unit::time);
-        for (const Step& step : model_.loop.start) facts.start.push_back(line(step));
-        facts.outermost = layer(model_.loop.layer);
+        facts.plan.start_time = model_.loop.start_time;
+        facts.plan.end_time = model_.loop.end_time;
+        for (const Step& step : model_.loop.start) facts.plan.start.push_back(call(step));
+        facts.plan.outermost = layer(model_.loop);
         return std::move(result_);
     }
 
@@ -44,47 +58,46 @@ class FactsMaker {
         return static_cast<int>(result_.places.size()) - 1;
     }
 
-    loop::LineFacts line(const Step& step) {
-        const Component& method = *model_.findMethod(step.method.text);
-        loop::LineFacts facts;
-        facts.id = id(step.place);
-        facts.label = step.action.empty() ? method.name : method.name + "." + step.action;
-        facts.accesses = resolveAccesses(model_, method, step.action_index);
-        facts.sometimes = step.every.has_value();
-        facts.window = step.window;
+    /// Of the method's action of that name.
+    loop::Line line(const Name& run) {
+        const auto [name, action] = splitAction(run.text);
+        const Component& method = *model_.findMethod(name);
+        loop::Line line{run.text, id(run.place)};
+        line.accesses = resolveAccesses(model_, method, method.declaration->actionIndex(action));
         const bool permutes = method.declaration->hasTrait("permutes");
         const bool removes =
             method.declaration->hasTrait("removes") && model_.domain.lost == LostParticles::remove;
-        for (const FieldAccess& access : facts.accesses) {
+        for (const FieldAccess& access : line.accesses) {
             const bool fluid = model_.findBody(access.body)->role == Role::fluid;
             if ((permutes || (removes && fluid)) &&
-                std::find(facts.permutes.begin(), facts.permutes.end(), access.body) ==
-                    facts.permutes.end())
-                facts.permutes.push_back(access.body);
+                std::find(line.permutes.begin(), line.permutes.end(), access.body) ==
+                    line.permutes.end())
+                line.permutes.push_back(access.body);
         }
-        return facts;
+        return line;
     }
 
-    loop::LayerFacts layer(const Layer& source) {
-        loop::LayerFacts facts;
-        facts.id = id(source.place);
-        facts.name = source.name;
-        facts.fit = source.fit;
-        facts.fixed_dt = source.dt.has_value();
-        for (const Name& name : source.dt_methods) {
-            loop::LineFacts estimate;
-            estimate.id = id(name.place);
-            estimate.label = name.text;
-            estimate.accesses = resolveAccesses(model_, *model_.findMethod(name.text), 0);
-            facts.dt.push_back(std::move(estimate));
-        }
+    loop::Call call(const Step& step) {
+        loop::Call call{line(step.run)};
+        call.every = step.every ? triggerOf(*step.every) : std::nullopt;
+        call.window = step.window();
+        return call;
+    }
+
+    loop::Layer layer(const Layer& source) {
+        loop::Layer layer;
+        layer.id = id(source.name.place);
+        layer.name = source.name.text;
+        layer.fit = source.fit;
+        layer.fixed_dt = source.dt.number;
+        for (const Name& name : source.dt.methods) layer.dt.push_back({line(name)});
         for (const Step& step : source.steps) {
             if (step.layer)
-                facts.steps.push_back({layer(*step.layer)});
+                layer.steps.push_back({this->layer(*step.layer)});
             else
-                facts.steps.push_back({line(step)});
+                layer.steps.push_back({call(step)});
         }
-        return facts;
+        return layer;
     }
 
     const Case& model_;

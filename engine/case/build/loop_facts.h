@@ -8,13 +8,16 @@
 
 namespace sphinx::model {
 
-/// The loop of a case as its check sees it, with the places that its ids stand for.
+/// The loop of a case as it is written, with the places that its ids stand for.
 struct PlacedFacts {
     loop::LoopFacts facts;
     std::vector<Place> places;  ///< by id
 };
 
 PlacedFacts loopFacts(const Case& model);
+
+/// The trigger of an `every`; nothing for the start and the end only.
+std::optional<loop::Trigger> triggerOf(const Every& every);
 
 /// Runs the check of the loop and reports what it finds at its places.
 void checkLoop(const PlacedFacts& placed, input::Diagnostics& diagnostics);

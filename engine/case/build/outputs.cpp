@@ -3,7 +3,7 @@
 #include "case/build/outputs.h"
 
 #include "case/build/derived_output.h"
-#include "case/build/loop.h"
+#include "case/build/loop_facts.h"
 #include "io/output/factory.h"
 #include "io/restart/output.h"
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/build/world.h"
 
-#include "case/build/fibres.h"
 #include "case/build/initial_values.h"
 #include "case/check/elastic.h"
 #include "case/check/particles.h"
@@ -66,6 +65,20 @@ void keepOnePeriod(std::vector<Vec<Dim>>& points, const sphinx::Domain<Dim>& dom
     });
 }
 
+/// The rule that the material has for the places of its particles; the first mistake stands for
+/// all.
+template <int Dim>
+void checkPlaces(const Component& material, const std::vector<Vec<Dim>>& places,
+                 input::Diagnostics& diagnostics) {
+    const auto& rule = material.declaration->builder<MaterialBuilder>().place_rule;
+    if (!rule) return;
+    for (const Vec<Dim>& place : places)
+        if (const auto violation = rule->check(material.parameters.get(), place)) {
+            diagnostics.error(material.placeOf(violation->parameter), violation->message);
+            diagnostics.throwIfErrors();
+        }
+}
+
 template <int Dim>
 void makeParticles(const Case& model, const Body& source, const sphinx::Domain<Dim>& domain,
                    sphinx::Body<Dim>& body, input::Diagnostics& diagnostics) {
@@ -82,10 +95,8 @@ void makeParticles(const Case& model, const Body& source, const sphinx::Domain<D
     }
     if (volumes.empty()) volumes.assign(points.size(), std::pow(body.spacing, Dim));
 
-    if (hasFibres(model, source)) {
-        checkFibres<Dim>(*model.findMaterial(source.material.text), points, diagnostics);
-        diagnostics.throwIfErrors();
-    }
+    if (const Component* material = model.findMaterial(source.material.text))
+        checkPlaces<Dim>(*material, points, diagnostics);
     std::vector<NewParticle<Dim>> particles(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         particles[i].position = points[i];
@@ -109,7 +120,7 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
     std::map<std::string, std::shared_ptr<const Material>> materials;
     for (const Component& material : model.materials)
         materials[material.name] =
-            material.declaration->builder<MaterialFactory>()(material.parameters.get());
+            material.declaration->builder<MaterialBuilder>().make(material.parameters.get());
 
     for (const Body& source : model.bodies) {
         auto body = std::make_unique<sphinx::Body<Dim>>();
@@ -128,12 +139,12 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
             addParticles(*body, {});
         world->bodies.push_back(std::move(body));
     }
-    for (const auto& body : world->bodies)
+    for (auto& body : world->bodies)
         for (const Contact& contact : model.seenBy(body->name)) {
             sphinx::Body<Dim>* other = world->find(contact.body.text);
             (contact.bonded ? body->bonded : body->sees).push_back(other);
         }
-    for (const auto& body : world->bodies)
+    for (auto& body : world->bodies)
         if (body->isObserver() && !body->sees.empty()) {
             body->spacing = body->sees.front()->spacing;
             body->kernel = body->sees.front()->kernel;

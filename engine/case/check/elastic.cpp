@@ -12,7 +12,7 @@ template <int Dim>
 void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
     for (const Body& source : model.bodies) {
         if (source.role != Role::elastic) continue;
-        sphinx::Body<Dim>& body = *world.find(source.name);
+        const sphinx::Body<Dim>& body = *world.find(source.name);
         for (int axis = 0; axis < Dim; ++axis) {
             if (!world.domain.periodic[axis]) continue;
             double low = std::numeric_limits<double>::infinity();

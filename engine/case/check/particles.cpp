@@ -82,7 +82,7 @@ void checkPeriod(const Body& source, const sphinx::Body<Dim>& body, const World<
 /// An expression of place may have no value somewhere, and a fluid bears no pressure at which its
 /// density would not be positive.
 template <int Dim>
-void checkInitialValues(const Body& source, sphinx::Body<Dim>& body, const World<Dim>& world,
+void checkInitialValues(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
                         input::Diagnostics& diagnostics) {
     const auto report = [&](const FieldInfo& field, double value, const Vec<Dim>& at) {
         diagnostics.error(source.place,
@@ -116,7 +116,7 @@ void checkInitialValues(const Body& source, sphinx::Body<Dim>& body, const World
 template <int Dim>
 void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
     for (const Body& source : model.bodies) {
-        sphinx::Body<Dim>& body = *world.find(source.name);
+        const sphinx::Body<Dim>& body = *world.find(source.name);
         if (body.size() == 0) {
             diagnostics.error(
                 source.place,

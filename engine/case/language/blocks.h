@@ -7,7 +7,6 @@
 #include "case/language/shapes.h"
 #include "case/model/model.h"
 #include "input/declaration/registry.h"
-#include "loop/plan/window.h"
 
 namespace sphinx::model {
 
@@ -47,41 +46,6 @@ struct NamedBody {
     bool good = false;  ///< it was read without an error
 };
 
-struct TimeStepBlock {
-    std::vector<Name> methods;
-    std::optional<double> number;
-};
-
-struct LayerBlock;
-
-/// What a line of the loop that is more than a name says.
-struct RunBlock {
-    Name run;
-    std::optional<Every> every;
-    std::optional<double> from, until;
-};
-
-/// A line of the loop.
-struct StepBlock {
-    Name run;  ///< METHOD or METHOD.ACTION
-    std::optional<Every> every;
-    loop::Window window;
-    std::shared_ptr<LayerBlock> layer;
-};
-
-struct LayerBlock {
-    Name layer;
-    TimeStepBlock dt;
-    Fit fit = Fit::split;
-    std::vector<StepBlock> steps;
-};
-
-struct LoopBlock : LayerBlock {
-    double start_time = 0;
-    double end_time = 0;
-    std::vector<StepBlock> start;
-};
-
 struct ContactBlock {
     Name body;  ///< "self", or a body
     bool bonded = false;
@@ -111,7 +75,7 @@ struct CaseBlock {
     std::vector<NamedBody> bodies;
     std::vector<std::pair<Name, std::vector<ContactBlock>>> topology;
     std::vector<Component> dynamics;
-    LoopBlock loop;
+    Loop loop;
     std::vector<NamedOutput> outputs;
 };
 

@@ -174,7 +174,7 @@ void declareBody(Registry& registry) {
 
 void declareLoop(Registry& registry) {
     {
-        using P = RunBlock;
+        using P = Step;
         auto& d = registry.declare<P>(Kind::block, "run");
         d.summary("A line of the loop that does not act in every step");
         d.required("run", &P::run, actionReference(), "METHOD or METHOD.ACTION");
@@ -201,22 +201,22 @@ void declareLoop(Registry& registry) {
          {"clip", Fit::clip, "estimates, the last one cut"},
          {"overshoot", Fit::overshoot, "estimates; the parent's step becomes what was covered"}});
     {
-        using P = LayerBlock;
+        using P = Layer;
         auto& d = registry.declare<P>(Kind::block, "layer");
         d.summary("Covers the step of its parent layer with substeps");
-        d.required("layer", &P::layer, newName(), "name in logs and in the profile");
+        d.required("layer", &P::name, newName(), "name in logs and in the profile");
         d.required("dt", &P::dt, timeStep(), "size of a substep");
         d.optional("fit", &P::fit, fit, "how the substeps fill the parent's step");
         d.required("steps", &P::steps, list(step(registry)), "what a substep does, in order");
     }
-    using P = LoopBlock;
+    using P = Loop;
     auto& d = registry.declare<P>(Kind::block, "loop");
     d.summary("What happens when: the outermost layer and what precedes it");
     d.optional("start_time", &P::start_time, number(unit::time), "time at the start");
     d.required("end_time", &P::end_time, number(unit::time),
                "the run ends after the first outermost step that reaches it");
     d.optional("start", &P::start, list(step(registry)), "done once, before the first step");
-    d.required("layer", &P::layer, newName(), "name of the outermost layer");
+    d.required("layer", &P::name, newName(), "name of the outermost layer");
     d.required("dt", &P::dt, timeStep(), "size of an outermost step");
     d.required("steps", &P::steps, list(step(registry)), "what an outermost step does, in order");
     d.check("end_time", [](const P& p, const UnitSystem& units) -> std::string {
@@ -272,7 +272,7 @@ void declareCase(Registry& registry) {
     d.optional("topology", &P::topology, mapOf(bodyReference(), list(contact())),
                "whose particles each body sees");
     d.optional("dynamics", &P::dynamics, components(Kind::dynamics), "named methods that can act");
-    d.required("loop", &P::loop, structure<LoopBlock>(block("loop")), "what acts, and when");
+    d.required("loop", &P::loop, structure<Loop>(block("loop")), "what acts, and when");
     d.optional("outputs", &P::outputs, outputs(block("outputs")), "what is written");
 }
 

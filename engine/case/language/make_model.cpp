@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/language/phases.h"
 
-#include <cmath>
-
 namespace sphinx::model {
 namespace {
 
@@ -70,40 +68,6 @@ Body makeBody(const NamedBody& named, const Component* material, int dimension) 
     return body;
 }
 
-class LoopMaker {
- public:
-    explicit LoopMaker(const std::vector<Component>& methods) : methods_(methods) {}
-
-    Layer layer(const LayerBlock& block) const {
-        return {block.layer.text, block.layer.place, block.dt.methods,
-                block.dt.number,  block.fit,         steps(block.steps)};
-    }
-    std::vector<Step> steps(const std::vector<StepBlock>& blocks) const {
-        std::vector<Step> steps;
-        for (const StepBlock& block : blocks) {
-            Step& step = steps.emplace_back();
-            if (block.layer) {
-                step.place = block.layer->layer.place;
-                step.layer = std::make_shared<Layer>(layer(*block.layer));
-                continue;
-            }
-            const auto [method, action] = splitAction(block.run.text);
-            step.place = block.run.place;
-            step.method = {method, block.run.place};
-            step.action = action;
-            step.every = block.every;
-            step.window = block.window;
-            for (const Component& component : methods_)
-                if (component.name == method)
-                    step.action_index = component.declaration->actionIndex(action);
-        }
-        return steps;
-    }
-
- private:
-    const std::vector<Component>& methods_;
-};
-
 }  // namespace
 
 Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics) {
@@ -128,68 +92,13 @@ Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& dia
         }
     }
     model.dynamics = block.dynamics;
-    const LoopMaker maker(block.dynamics);
-    model.loop.place = block.loop.layer.place;
-    model.loop.start_time = block.loop.start_time;
-    model.loop.end_time = block.loop.end_time;
-    model.loop.start = maker.steps(block.loop.start);
-    model.loop.layer = maker.layer(block.loop);
+    model.loop = block.loop;
     for (const NamedOutput& output : block.outputs) {
         Output& made = model.outputs.emplace_back();
         static_cast<Component&>(made) = output;
         made.every = output.block.every.value_or(Every{});
     }
     return model;
-}
-
-double Body::spacing(const Resolution& reference) const {
-    return resolution.spacing ? *resolution.spacing
-                              : std::ldexp(reference.spacing, -resolution.level);
-}
-
-double Body::smoothingRatio(const Resolution& reference) const {
-    return resolution.smoothing_ratio.value_or(reference.smoothing_ratio);
-}
-
-namespace {
-template <class Entries>
-auto findByName(const Entries& entries, std::string_view name) -> decltype(entries.data()) {
-    for (const auto& entry : entries)
-        if (entry.name == name) return &entry;
-    return nullptr;
-}
-
-bool callsIn(const std::vector<Step>& steps, std::string_view method);
-bool callsIn(const Layer& layer, std::string_view method) {
-    for (const Name& name : layer.dt_methods)
-        if (name.text == method) return true;
-    return callsIn(layer.steps, method);
-}
-bool callsIn(const std::vector<Step>& steps, std::string_view method) {
-    for (const Step& step : steps)
-        if (step.layer ? callsIn(*step.layer, method) : step.method.text == method) return true;
-    return false;
-}
-}  // namespace
-
-const Shape* Case::findShape(std::string_view name) const { return findByName(shapes, name); }
-const Body* Case::findBody(std::string_view name) const { return findByName(bodies, name); }
-const Component* Case::findMaterial(std::string_view name) const {
-    return findByName(materials, name);
-}
-const Component* Case::findMethod(std::string_view name) const {
-    return findByName(dynamics, name);
-}
-
-bool Case::calls(std::string_view method) const {
-    return callsIn(loop.start, method) || callsIn(loop.layer, method);
-}
-
-const std::vector<Contact>& Case::seenBy(std::string_view body) const {
-    static const std::vector<Contact> nothing;
-    for (const Sight& sight : topology)
-        if (sight.body.text == body) return sight.sees;
-    return nothing;
 }
 
 }  // namespace sphinx::model

@@ -21,9 +21,9 @@ Words namesOf(const Entries& entries) {
     return names;
 }
 
-void collectLayers(const LayerBlock& layer, Words& names) {
-    names.push_back(layer.layer.text);
-    for (const StepBlock& step : layer.steps)
+void collectLayers(const Layer& layer, Words& names) {
+    names.push_back(layer.name.text);
+    for (const Step& step : layer.steps)
         if (step.layer) collectLayers(*step.layer, names);
 }
 
@@ -275,12 +275,6 @@ std::vector<std::string> bodyTraits(Role role, const Component* material) {
     if (std::find(traits.begin(), traits.end(), material->declaration->name()) == traits.end())
         traits.push_back(material->declaration->name());
     return traits;
-}
-
-std::pair<std::string, std::string> splitAction(const std::string& text) {
-    const auto dot = text.find('.');
-    if (dot == std::string::npos) return {text, ""};
-    return {text.substr(0, dot), text.substr(dot + 1)};
 }
 
 void checkNames(const CaseBlock& block, const Node& root, Reader& reader) {

@@ -31,7 +31,4 @@ Role roleOf(BodyKind kind, const Component* material);
 /// Words that a reference may ask of a body: its kind, its material's type and traits.
 std::vector<std::string> bodyTraits(Role role, const Component* material);
 
-/// "pressure_relaxation.first_half" as method and action.
-std::pair<std::string, std::string> splitAction(const std::string& text);
-
 }  // namespace sphinx::model

@@ -18,7 +18,7 @@ class SenseCheck {
 
     void run() {
         if (block_.bodies.empty())
-            diagnostics_.error(block_.loop.layer.place, "the case has no bodies");
+            diagnostics_.error(block_.loop.name.place, "the case has no bodies");
         for (const NamedBody& body : block_.bodies) {
             if (body.block.kind == BodyKind::observer)
                 checkObserver(body);
@@ -31,12 +31,12 @@ class SenseCheck {
         for (const Component& method : block_.dynamics) checkSight(method);
         checkLayer(block_.loop);
         checkSteps(block_.loop.start, "start");
-        for (const StepBlock& step : block_.loop.start) {
+        for (const Step& step : block_.loop.start) {
             if (step.every)
                 diagnostics_.error(step.run.place, "start happens once: 'every' has no meaning");
-            if (step.window.limited())
+            if (step.window().limited())
                 diagnostics_.error(step.run.place, std::string("start happens once: '") +
-                                                       (step.window.from ? "from" : "until") +
+                                                       (step.from ? "from" : "until") +
                                                        "' has no meaning");
         }
     }
@@ -171,15 +171,14 @@ class SenseCheck {
         return BodyKind::fluid;
     }
 
-    void checkLayer(const LayerBlock& layer) {
-        if (!layers_.insert(layer.layer.text).second)
-            diagnostics_.error(layer.layer.place,
-                               "there are two layers '" + layer.layer.text + "'");
+    void checkLayer(const Layer& layer) {
+        if (!layers_.insert(layer.name.text).second)
+            diagnostics_.error(layer.name.place, "there are two layers '" + layer.name.text + "'");
         if (layer.steps.empty())
-            diagnostics_.error(layer.layer.place,
-                               "the layer '" + layer.layer.text + "' has no steps");
+            diagnostics_.error(layer.name.place,
+                               "the layer '" + layer.name.text + "' has no steps");
         checkSteps(layer.steps, "");
-        for (const StepBlock& step : layer.steps)
+        for (const Step& step : layer.steps)
             if (step.layer)
                 checkLayer(*step.layer);
             else {
@@ -187,10 +186,10 @@ class SenseCheck {
                 checkThroughout(step);
             }
     }
-    void checkThroughout(const StepBlock& step) {
+    void checkThroughout(const Step& step) {
         const auto [name, action] = splitAction(step.run.text);
-        const std::string key = step.every ? "every" : step.window.from ? "from" : "until";
-        if (!step.every && !step.window.limited()) return;
+        const std::string key = step.every ? "every" : step.from ? "from" : "until";
+        if (!step.every && !step.window().limited()) return;
         for (const Component& method : block_.dynamics) {
             if (method.name != name) continue;
             const Declaration& declaration = *method.declaration;
@@ -201,23 +200,23 @@ class SenseCheck {
                                    fmt::format("'{}' is not for {}: {}", key, step.run.text, why));
         }
     }
-    void checkWindow(const StepBlock& step) {
+    void checkWindow(const Step& step) {
         const double start = block_.loop.start_time;
-        if (step.window.from && *step.window.from < start)
+        if (step.from && *step.from < start)
             diagnostics_.error(step.run.place,
                                fmt::format("from is {0}{2} but must be at least start_time, {1}{2}",
-                                           *step.window.from, start, time_unit_));
-        if (step.window.until && *step.window.until <= start)
+                                           *step.from, start, time_unit_));
+        if (step.until && *step.until <= start)
             diagnostics_.error(
                 step.run.place,
                 fmt::format(
                     "until is {0}{3} but must be above start_time, {1}{3}: {2} would never act",
-                    *step.window.until, start, step.run.text, time_unit_));
+                    *step.until, start, step.run.text, time_unit_));
     }
-    void checkSteps(const std::vector<StepBlock>& steps, const std::string& where) {
-        for (const StepBlock& step : steps) {
+    void checkSteps(const std::vector<Step>& steps, const std::string& where) {
+        for (const Step& step : steps) {
             if (step.layer && !where.empty())
-                diagnostics_.error(step.layer->layer.place, "start has no layers");
+                diagnostics_.error(step.layer->name.place, "start has no layers");
             if (step.every && step.every->by == Every::By::wall_time)
                 diagnostics_.error(step.run.place,
                                    "wall_time is for outputs: the physics cannot depend on the "

@@ -57,7 +57,7 @@ class EveryType final : public TypeBase {
 class TimeStepType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        auto& dt = *static_cast<TimeStepBlock*>(out);
+        auto& dt = *static_cast<TimeStep*>(out);
         dt = {};
         if (!node.isList()) return readOne(node, reader, dt);
         bool good = true;
@@ -66,7 +66,7 @@ class TimeStepType final : public TypeBase {
         return good;
     }
     Node write(const void* value, const Node* source) const override {
-        const auto& dt = *static_cast<const TimeStepBlock*>(value);
+        const auto& dt = *static_cast<const TimeStep*>(value);
         const Place place = source ? source->place : Place{};
         Node list = Node::list().at(place);
         for (const Name& method : dt.methods) list.add(Node::plain(method.text).at(place));
@@ -89,7 +89,7 @@ class TimeStepType final : public TypeBase {
     }
 
  private:
-    static bool readOne(const Node& node, Reader& reader, TimeStepBlock& dt) {
+    static bool readOne(const Node& node, Reader& reader, TimeStep& dt) {
         // A word that names no variable is a method; its spelling is checked with the names.
         const bool word = node.isScalar() && !node.text.empty() &&
                           std::all_of(node.text.begin(), node.text.end(),
@@ -116,24 +116,19 @@ class TimeStepType final : public TypeBase {
 class StepType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        auto& step = *static_cast<StepBlock*>(out);
+        auto& step = *static_cast<Step*>(out);
         const auto block = [&](const char* name) {
             return reader.registry.find(Kind::block, name);
         };
         if (node.isScalar()) return actionReference().base()->read(node, reader, &step.run);
         if (node.find("layer")) {
-            step.layer = std::make_shared<LayerBlock>();
+            step.layer = std::make_shared<Layer>();
             const Label label(reader, node.find("layer")->text);
             return readParameters(node, node.place, reader, {{block("layer"), step.layer.get()}});
         }
         if (node.find("run")) {
-            RunBlock run;
             const Label label(reader, "run");
-            if (!readParameters(node, node.place, reader, {{block("run"), &run}})) return false;
-            step.run = run.run;
-            step.every = run.every;
-            step.window = {run.from, run.until};
-            return true;
+            return readParameters(node, node.place, reader, {{block("run"), &step}});
         }
         return reader.error(
             node, reader.label + " is " + describeNode(node) +
@@ -141,12 +136,11 @@ class StepType final : public TypeBase {
                       "every: ..., from: ..., until: ...} or {layer: NAME, dt: ..., steps: [...]}");
     }
     Node write(const void* value, const Node* source) const override {
-        const auto& step = *static_cast<const StepBlock*>(value);
+        const auto& step = *static_cast<const Step*>(value);
         const Place place = source ? source->place : Place{};
         if (step.layer) return writeStructure(*registryBlock("layer"), step.layer.get(), source);
-        if (!step.every && !step.window.limited()) return Node::plain(step.run.text).at(place);
-        const RunBlock run{step.run, step.every, step.window.from, step.window.until};
-        return writeStructure(*registryBlock("run"), &run, source);
+        if (!step.every && !step.window().limited()) return Node::plain(step.run.text).at(place);
+        return writeStructure(*registryBlock("run"), &step, source);
     }
     Node schema(SchemaBuilder& builder) const override {
         return builder.define("step", [&] {
@@ -207,9 +201,9 @@ void declareEvery(Registry& registry) {
 Type<Every> every(const Registry& registry) {
     return Type<Every>(std::make_shared<EveryType>(*registry.find(Kind::block, "every")));
 }
-Type<TimeStepBlock> timeStep() { return Type<TimeStepBlock>(std::make_shared<TimeStepType>()); }
-Type<StepBlock> step(const Registry& registry) {
-    return Type<StepBlock>(std::make_shared<StepType>(registry));
+Type<TimeStep> timeStep() { return Type<TimeStep>(std::make_shared<TimeStepType>()); }
+Type<Step> step(const Registry& registry) {
+    return Type<Step>(std::make_shared<StepType>(registry));
 }
 
 }  // namespace sphinx::model

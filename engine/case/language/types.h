@@ -21,9 +21,9 @@ input::Type<std::vector<NamedOutput>> outputs(const input::Declaration& common);
 input::Type<std::vector<NamedBody>> namedBodies(const input::Declaration& body);
 
 input::Type<ContactBlock> contact();
-input::Type<TimeStepBlock> timeStep();
+input::Type<TimeStep> timeStep();
 /// A line of the loop; uses the blocks `layer` and `run`.
-input::Type<StepBlock> step(const input::Registry& registry);
+input::Type<Step> step(const input::Registry& registry);
 
 /// The name of a kernel of the registry.
 input::Type<KernelType> kernel(const input::Registry& registry);

@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "bodies/domain.h"
 #include "bodies/role.h"
-#include "bodies/world.h"
 #include "geometry/shape.h"
 #include "input/declaration/component.h"
 #include "input/declaration/registry.h"
 #include "input/expressions/units.h"
+#include "kernels/kernel.h"
 #include "loop/plan/fit.h"
 #include "loop/plan/window.h"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sphinx::model {
@@ -111,34 +114,40 @@ struct Sight {
 
 using loop::Fit;
 
+/// "pressure_relaxation.first_half" as method and action; the latter may be empty.
+std::pair<std::string, std::string> splitAction(const std::string& text);
+
 struct Layer;
 
 /// A line of the loop: a method's action, or a nested layer.
 struct Step {
-    Place place;
-    Name method;
-    std::string action;    ///< empty for the only action of a method
-    int action_index = 0;  ///< in the method's declaration
+    Name run;  ///< METHOD or METHOD.ACTION
     std::optional<Every> every;
-    loop::Window window;
-    std::shared_ptr<const Layer> layer;  ///< set: a nested layer, the rest is empty
+    std::optional<double> from, until;  ///< it acts in substeps that begin in this time
+    std::shared_ptr<Layer> layer;       ///< set: a nested layer, the rest is empty
+
+    std::string method() const { return splitAction(run.text).first; }
+    loop::Window window() const { return {from, until}; }
+};
+
+/// `dt` of a layer: the smallest estimate counts.
+struct TimeStep {
+    std::vector<Name> methods;
+    std::optional<double> number;  ///< a fixed step, time; counts with the estimates
 };
 
 struct Layer {
-    std::string name;
-    Place place;
-    std::vector<Name> dt_methods;  ///< the smallest estimate counts
-    std::optional<double> dt;      ///< a fixed step, time; counts with the estimates
-    Fit fit = Fit::split;          ///< how an inner layer covers its parent's step
+    Name name;
+    TimeStep dt;
+    Fit fit = Fit::split;  ///< how an inner layer covers its parent's step
     std::vector<Step> steps;
 };
 
-struct Loop {
-    Place place;
+/// The outermost layer, and what precedes it.
+struct Loop : Layer {
     double start_time = 0;
     double end_time = 0;
     std::vector<Step> start;  ///< once, before the first step
-    Layer layer;              ///< the outermost
 };
 
 struct Output : Component {

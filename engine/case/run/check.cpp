@@ -55,23 +55,22 @@ double memory(const World<Dim>& world) {
     return sum;
 }
 
-void printLayer(const loop::LayerFacts& layer, const Layer& source, int depth,
-                const std::string& time_unit, std::string& out) {
+void printLayer(const loop::Layer& layer, int depth, const std::string& time_unit,
+                std::string& out) {
     const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
     std::string dt;
-    for (const loop::LineFacts& estimate : layer.dt)
-        dt += (dt.empty() ? "" : ", ") + estimate.label;
-    if (source.dt) dt += (dt.empty() ? "" : ", ") + fmt::format("{:g}{}", *source.dt, time_unit);
+    for (const loop::TimeStep& estimate : layer.dt) dt += (dt.empty() ? "" : ", ") + estimate.label;
+    if (layer.fixed_dt)
+        dt += (dt.empty() ? "" : ", ") + fmt::format("{:g}{}", *layer.fixed_dt, time_unit);
     out += fmt::format("{}{} (dt: {})\n", indent, layer.name, dt);
-    for (std::size_t k = 0; k < layer.steps.size(); ++k) {
-        const auto& value = layer.steps[k].value;
-        if (const auto* inner = std::get_if<loop::LayerFacts>(&value)) {
-            printLayer(*inner, *source.steps[k].layer, depth + 1, time_unit, out);
+    for (const loop::Step& step : layer.steps) {
+        if (const auto* inner = std::get_if<loop::Layer>(&step.value)) {
+            printLayer(*inner, depth + 1, time_unit, out);
             continue;
         }
-        const auto& line = std::get<loop::LineFacts>(value);
-        out += fmt::format("{}  {}{}", indent, line.label, line.sometimes ? " (sometimes)" : "");
-        if (line.window.limited()) out += fmt::format(" ({})", describe(line.window, time_unit));
+        const auto& call = std::get<loop::Call>(step.value);
+        out += fmt::format("{}  {}{}", indent, call.label, call.every ? " (sometimes)" : "");
+        if (call.window.limited()) out += fmt::format(" ({})", describe(call.window, time_unit));
         out += '\n';
     }
 }
@@ -133,7 +132,7 @@ CheckReport check(const Case& model) {
     Relations<Dim> relations(*world);
     Context<Dim> context{*world, relations};
     Methods<Dim> methods(model, context);
-    buildPlan<Dim>(model, placed.facts, *world, methods);
+    bindPlan<Dim>(placed.facts.plan, model, *world, methods);
     io::RestartHeader header;
     header.case_name = caseName(model);
     const Outputs<Dim> outputs(
@@ -146,9 +145,9 @@ CheckReport check(const Case& model) {
                            world->quantityText(body->kernel.smoothingLength(), unit::length));
     out += fmt::format("memory: about {}\n", sizeText(memory(*world)));
     out += "loop\n";
-    for (const loop::LineFacts& line : placed.facts.start)
+    for (const loop::Call& line : placed.facts.plan.start)
         out += fmt::format("  start: {}\n", line.label);
-    printLayer(placed.facts.outermost, model.loop.layer, 1, placed.facts.time_unit, out);
+    printLayer(placed.facts.plan.outermost, 1, placed.facts.time_unit, out);
     out += outputsText(model, outputs, diagnostics);
     return {model.warnings + diagnostics.text(), out};
 }

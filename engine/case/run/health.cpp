@@ -19,15 +19,15 @@ constexpr double density_limit = 0.03;
 /// Often enough to find the place again, seldom enough to cost nothing.
 constexpr std::int64_t steps_between_places = 16;
 
-void collectWriters(const loop::LineFacts& line,
+void collectWriters(const loop::Line& line,
                     std::map<std::pair<std::string, std::string>, std::string>& writers) {
     for (const FieldAccess& access : line.accesses)
         if (changes(access.mode)) writers[{access.body, access.field}] = line.label;
 }
 
-void collectWriters(const loop::LayerFacts& layer,
+void collectWriters(const loop::Layer& layer,
                     std::map<std::pair<std::string, std::string>, std::string>& writers) {
-    for (const loop::StepFacts& step : layer.steps)
+    for (const loop::Step& step : layer.steps)
         std::visit([&](const auto& value) { collectWriters(value, writers); }, step.value);
 }
 
@@ -43,7 +43,7 @@ bool moves(const sphinx::Body<Dim>& body) {
 }
 
 template <int Dim>
-Extremes extremes(sphinx::Body<Dim>& body) {
+Extremes extremes(const sphinx::Body<Dim>& body) {
     const auto& velocity = body.particles.vector(fields::velocity);
     const auto& density = body.particles.scalar(fields::density);
     const double rho0 = body.material()->density();
@@ -72,7 +72,7 @@ Extremes extremes(sphinx::Body<Dim>& body) {
 
 template <int Dim>
 Health<Dim>::Health(const World<Dim>& world, const loop::LoopFacts& facts) : world_(world) {
-    collectWriters(facts.outermost, last_writer_);
+    collectWriters(facts.plan.outermost, last_writer_);
     remember();
 }
 

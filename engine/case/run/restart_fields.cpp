@@ -10,18 +10,17 @@ namespace {
 
 using FieldsOfBodies = std::map<std::string, std::set<std::string>>;
 
-void collectWrites(const loop::LineFacts& line, FieldsOfBodies& to) {
+void collectWrites(const loop::Line& line, FieldsOfBodies& to) {
     for (const FieldAccess& access : line.accesses)
         if (changes(access.mode)) to[access.body].insert(access.field);
 }
 
-void collectWrites(const loop::LayerFacts& layer, FieldsOfBodies& always,
-                   FieldsOfBodies& sometimes) {
-    for (const loop::StepFacts& step : layer.steps) {
-        if (const auto* line = std::get_if<loop::LineFacts>(&step.value))
+void collectWrites(const loop::Layer& layer, FieldsOfBodies& always, FieldsOfBodies& sometimes) {
+    for (const loop::Step& step : layer.steps) {
+        if (const auto* line = std::get_if<loop::Call>(&step.value))
             collectWrites(*line, line->inEverySubstep() ? always : sometimes);
         else
-            collectWrites(std::get<loop::LayerFacts>(step.value), always, sometimes);
+            collectWrites(std::get<loop::Layer>(step.value), always, sometimes);
     }
 }
 
@@ -29,8 +28,8 @@ void collectWrites(const loop::LayerFacts& layer, FieldsOfBodies& always,
 
 FieldsOfBodies restartFields(const loop::LoopFacts& facts) {
     FieldsOfBodies always, kept;
-    collectWrites(facts.outermost, always, kept);
-    for (const loop::LineFacts& line : facts.start) collectWrites(line, kept);
+    collectWrites(facts.plan.outermost, always, kept);
+    for (const loop::Line& line : facts.plan.start) collectWrites(line, kept);
     for (const loop::BodyFacts& body : facts.bodies)
         kept[body.name].insert(body.initial.begin(), body.initial.end());
 

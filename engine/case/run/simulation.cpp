@@ -36,7 +36,7 @@ Simulation<Dim>::Simulation(const Case& model, const RunOptions& options, io::Pa
 
 template <int Dim>
 void Simulation<Dim>::prepare() {
-    loop::Plan plan = buildPlan<Dim>(model_, placed_.facts, *world_, *methods_);
+    loop::Plan plan = bindPlan<Dim>(placed_.facts.plan, model_, *world_, *methods_);
     const OutputTools<Dim> tools{model_,          *world_,
                                  *relations_,     folder_,
                                  provenance_,     [this] { return runner_->progress(); },
@@ -75,7 +75,7 @@ template <int Dim>
 std::vector<io::RestartBody<Dim>> Simulation<Dim>::restartBodies() const {
     auto kept = restartFields(placed_.facts);
     std::vector<io::RestartBody<Dim>> bodies;
-    for (const auto& body : world_->bodies) {
+    for (auto& body : world_->bodies) {
         if (body->isObserver()) continue;
         io::RestartBody<Dim> entry{body.get(), {}};
         for (const std::string& name : kept[body->name]) {
@@ -115,7 +115,7 @@ void Simulation<Dim>::restore() {
         source_.file, [this](Archive& archive) { transfer(archive); }, restartBodies());
     if (!options_.resume) runner_->leaveRestarts();
     std::vector<sphinx::Body<Dim>*> bodies;
-    for (const auto& body : world_->bodies) {
+    for (auto& body : world_->bodies) {
         body->findParts();
         ++body->version;
         bodies.push_back(body.get());

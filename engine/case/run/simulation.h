@@ -3,6 +3,7 @@
 #pragma once
 
 #include "case/build/loop.h"
+#include "case/build/loop_facts.h"
 #include "case/build/outputs.h"
 #include "case/model/model.h"
 #include "case/run/health.h"

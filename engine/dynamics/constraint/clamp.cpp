@@ -56,7 +56,7 @@ namespace {
 template <int Dim>
 void checkRest(const input::Component& method, BuiltCase<Dim>& built) {
     const auto& p = method.as<ClampParameters>();
-    const Part<Dim> part(built.world, p.part);
+    const ConstPart<Dim> part(built.world, p.part);
     if (part.size() < part.body().size()) return;
     built.diagnostics.error(
         p.part.place,

@@ -169,7 +169,7 @@ template <int Dim>
 void checkStart(const input::Component& method, BuiltCase<Dim>& built) {
     const auto& p = method.as<PrescribedMotionParameters>();
     if (p.rotation && !checkAxis<Dim>(method, *p.rotation, built.diagnostics)) return;
-    const Part<Dim> part(built.world, p.part);
+    const ConstPart<Dim> part(built.world, p.part);
     const Motion<Dim> motion = p.motion<Dim>();
     const auto displacement = motion.at(built.start_time);
     for (std::size_t n = 0; n < part.size(); ++n) {

@@ -64,7 +64,7 @@ namespace {
 template <int Dim>
 void checkNormal(const input::Component& method, BuiltCase<Dim>& built) {
     const auto& p = method.as<SurfacePressureParameters>();
-    const Part<Dim> part(built.world, p.part);
+    const ConstPart<Dim> part(built.world, p.part);
     if (p.normal.empty()) {
         if (!part.body().shape)
             built.diagnostics.error(method.place,

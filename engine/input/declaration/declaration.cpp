@@ -19,55 +19,9 @@ const char* kindName(Kind kind) {
     return "";
 }
 
-Action& Action::reads(const std::string& owner, std::initializer_list<std::string_view> fields) {
+Action& Action::add(AccessMode mode, const std::string& owner, Fields fields, bool if_made) {
     for (std::string_view field : fields)
-        accesses_.push_back({AccessMode::read, owner, std::string(field)});
-    return *this;
-}
-
-Action& Action::writes(const std::string& owner, std::initializer_list<std::string_view> fields) {
-    for (std::string_view field : fields)
-        accesses_.push_back({AccessMode::write, owner, std::string(field)});
-    return *this;
-}
-
-Action& Action::mayRead(const std::string& owner, std::initializer_list<std::string_view> fields) {
-    for (std::string_view field : fields)
-        accesses_.push_back({AccessMode::read, owner, std::string(field), true});
-    return *this;
-}
-
-Action& Action::mayWrite(const std::string& owner, std::initializer_list<std::string_view> fields) {
-    for (std::string_view field : fields)
-        accesses_.push_back({AccessMode::write, owner, std::string(field), true});
-    return *this;
-}
-
-Action& Action::accumulates(const std::string& owner,
-                            std::initializer_list<std::string_view> fields) {
-    for (std::string_view field : fields)
-        accesses_.push_back({AccessMode::accumulate, owner, std::string(field)});
-    return *this;
-}
-
-Action& Action::releases(const std::string& owner, std::initializer_list<std::string_view> fields) {
-    for (std::string_view field : fields)
-        accesses_.push_back({AccessMode::release, owner, std::string(field)});
-    return *this;
-}
-
-Action& Action::opens(const std::string& owner, const std::string& span) {
-    accesses_.push_back({AccessMode::open, owner, span});
-    return *this;
-}
-
-Action& Action::closes(const std::string& owner, const std::string& span) {
-    accesses_.push_back({AccessMode::close, owner, span});
-    return *this;
-}
-
-Action& Action::within(const std::string& owner, const std::string& span) {
-    accesses_.push_back({AccessMode::within, owner, span});
+        accesses_.push_back({mode, owner, std::string(field), if_made});
     return *this;
 }
 

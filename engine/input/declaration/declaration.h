@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "input/declaration/access.h"
 #include "input/declaration/sources.h"
 #include "input/expressions/units.h"
 #include "input/types/type.h"
@@ -21,37 +22,39 @@ const char* kindName(Kind kind);
 inline constexpr std::array all_kinds{Kind::block,    Kind::shape,  Kind::kernel, Kind::material,
                                       Kind::dynamics, Kind::output, Kind::field};
 
-/// How an action uses a field; accumulate adds to a value that the layer zeroes first; release:
-/// what it has written holds on when the window of its line is over, as zero or as that of a body
-/// that stands still. The last three are about a span of the loop instead ("step", "mean"): one
-/// action opens it, another closes it in turn, others belong within.
-enum class AccessMode { read, write, accumulate, release, open, close, within };
-
-/// A field of the bodies that `owner` stands for: a parameter that refers to bodies or parts
-/// ("body", "from", "bodies"), of a trait ("part.rigid") or all, or "neighbors", the bodies that
-/// the first such parameter sees in `topology`, or only those of a trait: "neighbors.fluid",
-/// "neighbors.solid"; or "bonded", those that are bonded to it.
-struct Access {
-    AccessMode mode;
-    std::string owner;
-    std::string field;  ///< of particles/fields.h, a pseudo field of dynamics/dynamics.h, or a span
-    bool if_made = false;  ///< only where another method of the loop writes the field
-};
-
 /// Something that a loop line can call.
 class Action {
  public:
     Action(std::string name, std::string doc) : name_(std::move(name)), doc_(std::move(doc)) {}
-    Action& reads(const std::string& owner, std::initializer_list<std::string_view> fields);
-    Action& writes(const std::string& owner, std::initializer_list<std::string_view> fields);
+    using Fields = std::initializer_list<std::string_view>;
+    Action& reads(const std::string& owner, Fields fields) {
+        return add(AccessMode::read, owner, fields);
+    }
+    Action& writes(const std::string& owner, Fields fields) {
+        return add(AccessMode::write, owner, fields);
+    }
     /// The same where another method of the loop writes the fields, else nothing.
-    Action& mayRead(const std::string& owner, std::initializer_list<std::string_view> fields);
-    Action& mayWrite(const std::string& owner, std::initializer_list<std::string_view> fields);
-    Action& accumulates(const std::string& owner, std::initializer_list<std::string_view> fields);
-    Action& releases(const std::string& owner, std::initializer_list<std::string_view> fields);
-    Action& opens(const std::string& owner, const std::string& span);
-    Action& closes(const std::string& owner, const std::string& span);
-    Action& within(const std::string& owner, const std::string& span);
+    Action& mayRead(const std::string& owner, Fields fields) {
+        return add(AccessMode::read, owner, fields, true);
+    }
+    Action& mayWrite(const std::string& owner, Fields fields) {
+        return add(AccessMode::write, owner, fields, true);
+    }
+    Action& accumulates(const std::string& owner, Fields fields) {
+        return add(AccessMode::accumulate, owner, fields);
+    }
+    Action& releases(const std::string& owner, Fields fields) {
+        return add(AccessMode::release, owner, fields);
+    }
+    Action& opens(const std::string& owner, std::string_view span) {
+        return add(AccessMode::open, owner, {span});
+    }
+    Action& closes(const std::string& owner, std::string_view span) {
+        return add(AccessMode::close, owner, {span});
+    }
+    Action& within(const std::string& owner, std::string_view span) {
+        return add(AccessMode::within, owner, {span});
+    }
     /// The method has an effect on its body that is there without being called: a line that calls
     /// it has no every, from or until. `why`: the reason and the way out.
     Action& throughout(std::string why);
@@ -75,6 +78,8 @@ class Action {
     }
 
  private:
+    Action& add(AccessMode mode, const std::string& owner, Fields fields, bool if_made = false);
+
     std::string name_;
     std::string doc_;
     std::string throughout_;

@@ -13,16 +13,16 @@ namespace sphinx::loop {
 namespace {
 
 struct Accumulator {
-    const LayerFacts* layer = nullptr;
-    const LineFacts* line = nullptr;
+    const Layer* layer = nullptr;
+    const Line* line = nullptr;
 };
 /// First accumulators of the layers around the present one.
 using Outer = std::map<FieldKey, Accumulator>;
 
 /// An inner layer zeroes what the outer one added.
-void checkNesting(const LayerFacts& layer, Outer outer, std::vector<Issue>& issues) {
+void checkNesting(const Layer& layer, Outer outer, std::vector<Issue>& issues) {
     for (const Zeroing& zero : zeroings(layer)) {
-        const auto& line = std::get<LineFacts>(layer.steps[zero.before].value);
+        const auto& line = std::get<Call>(layer.steps[zero.before].value);
         const auto [other, is_new] = outer.insert({{zero.body, zero.field}, {&layer, &line}});
         if (is_new) continue;
         issues.push_back(
@@ -32,20 +32,19 @@ void checkNesting(const LayerFacts& layer, Outer outer, std::vector<Issue>& issu
                          line.label, zero.field, zero.body, layer.name, other->second.line->label,
                          other->second.layer->name)});
     }
-    for (const StepFacts& step : layer.steps)
-        if (const auto* inner = std::get_if<LayerFacts>(&step.value))
+    for (const Step& step : layer.steps)
+        if (const auto* inner = std::get_if<Layer>(&step.value))
             checkNesting(*inner, outer, issues);
 }
 
 /// The line that accumulates this field first.
-const LineFacts* firstAccumulator(const Flow& flow, const FieldKey& key) {
+const Line* firstAccumulator(const Flow& flow, const FieldKey& key) {
     for (const FlowNode& node : flow.nodes())
         if (node.line && has(*node.line, AccessMode::accumulate, key)) return node.line;
     return nullptr;
 }
 
-void checkUse(const Flow& flow, const LineFacts& line, const FieldKey& key,
-              std::vector<Issue>& issues) {
+void checkUse(const Flow& flow, const Line& line, const FieldKey& key, std::vector<Issue>& issues) {
     // A reader in one of the times of the loop is enough.
     std::vector<std::size_t> after;
     for (const FlowNode& node : flow.nodes())
@@ -67,15 +66,15 @@ void checkUse(const Flow& flow, const LineFacts& line, const FieldKey& key,
 }  // namespace
 
 void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues) {
-    checkNesting(facts.outermost, {}, issues);
-    std::set<const LineFacts*> seen;
+    checkNesting(facts.plan.outermost, {}, issues);
+    std::set<const Line*> seen;
     for (std::size_t k = 0; k < flow.nodes().size(); ++k) {
-        const LineFacts* line = flow.nodes()[k].line;
+        const Line* line = flow.nodes()[k].line;
         if (!line || !seen.insert(line).second) continue;
         for (const FieldAccess& access : line->accesses) {
             const FieldKey key{access.body, access.field};
             if (access.mode == AccessMode::write) {
-                const LineFacts* adding = firstAccumulator(flow, key);
+                const Line* adding = firstAccumulator(flow, key);
                 if (adding && adding != line && k > flow.loopBegins().front())
                     issues.push_back(
                         {Severity::error, line->id,
@@ -84,7 +83,7 @@ void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Iss
                                      line->label, key.second, key.first, adding->label)});
             }
             if (access.mode != AccessMode::accumulate) continue;
-            if (line->sometimes)
+            if (line->every)
                 issues.push_back(
                     {Severity::warning, line->id,
                      fmt::format("{} adds to {} of {} only in some steps, while its layer zeroes "

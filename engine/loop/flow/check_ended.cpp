@@ -15,14 +15,14 @@ namespace {
 /// so then.
 struct LastWrite {
     std::size_t epoch = 0;
-    const LineFacts* line = nullptr;  ///< null: the layer zeroes it
+    const Line* line = nullptr;  ///< null: the layer zeroes it
 };
 
 class EndedCheck {
  public:
     EndedCheck(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues)
         : facts_(facts), flow_(flow), issues_(issues) {
-        collectSteps(facts.outermost);
+        collectSteps(facts.plan.outermost);
         for (std::size_t k = flow.loopBegins().front(); k < flow.nodes().size(); ++k) {
             const FlowNode& node = flow.nodes()[k];
             if (node.kind == FlowNode::Kind::zero) add(node.zeroed, node);
@@ -45,12 +45,12 @@ class EndedCheck {
 
  private:
     /// An estimate of a time step and an output may look at what stands still.
-    void collectSteps(const LayerFacts& layer) {
-        for (const StepFacts& step : layer.steps)
-            if (const auto* line = std::get_if<LineFacts>(&step.value))
+    void collectSteps(const Layer& layer) {
+        for (const Step& step : layer.steps)
+            if (const auto* line = std::get_if<Call>(&step.value))
                 steps_.insert(line);
             else
-                collectSteps(std::get<LayerFacts>(step.value));
+                collectSteps(std::get<Layer>(step.value));
     }
 
     void add(const FieldKey& key, const FlowNode& node) {
@@ -59,7 +59,7 @@ class EndedCheck {
     }
 
     /// The first reader stands for all; it may have been found to read too early already.
-    void judge(const LineFacts& reader, std::size_t epoch, const FieldKey& key) {
+    void judge(const Line& reader, std::size_t epoch, const FieldKey& key) {
         const auto last = last_.find(key);
         // What no longer moves is where it is; lists and loads have checks of their own.
         if (last == last_.end() || epoch <= last->second.epoch || key.second == "position" ||
@@ -68,7 +68,7 @@ class EndedCheck {
         const bool known = std::any_of(issues_.begin(), issues_.end(),
                                        [&](const Issue& issue) { return issue.id == reader.id; });
         if (known || !reported_.insert(key).second) return;
-        const LineFacts& writer = *last->second.line;
+        const Line& writer = *last->second.line;
         issues_.push_back(
             {Severity::error, reader.id,
              fmt::format("{} reads {} of {}, which {} writes only at times {}: it would keep its "
@@ -80,7 +80,7 @@ class EndedCheck {
     const LoopFacts& facts_;
     const Flow& flow_;
     std::vector<Issue>& issues_;
-    std::set<const LineFacts*> steps_;
+    std::set<const Line*> steps_;
     std::map<FieldKey, LastWrite> last_;
     std::set<FieldKey> released_;
     std::set<FieldKey> reported_;

@@ -16,7 +16,7 @@ bool isField(const FieldAccess& access) { return !isPseudoField(access.field); }
 
 void define(const FlowNode& node, Defined& defined) {
     if (node.kind == FlowNode::Kind::zero) defined.insert(node.zeroed);
-    if (!node.line || node.line->sometimes) return;
+    if (!node.line || node.line->every) return;
     for (const FieldAccess& access : node.line->accesses)
         if (isField(access) && changes(access.mode)) defined.insert({access.body, access.field});
 }
@@ -27,21 +27,21 @@ bool intersect(Defined& into, const Defined& from) {
 
 /// The first line of each kind that writes a field, the reader left aside.
 struct Writers {
-    const LineFacts* always = nullptr;
-    const LineFacts* sometimes = nullptr;
-    const LineFacts* limited = nullptr;  // to a window
-    const LineFacts* updates = nullptr;  // needs a value itself
+    const Line* always = nullptr;
+    const Line* sometimes = nullptr;
+    const Line* limited = nullptr;  // to a window
+    const Line* updates = nullptr;  // needs a value itself
 
-    Writers(const Flow& flow, const LineFacts& reader, const FieldKey& key) {
+    Writers(const Flow& flow, const Line& reader, const FieldKey& key) {
         for (const FlowNode& node : flow.nodes()) {
             if (!node.line || node.line == &reader) continue;
             const bool writes = has(*node.line, AccessMode::write, key);
             if (!writes && !has(*node.line, AccessMode::accumulate, key)) continue;
             const bool reads = writes && has(*node.line, AccessMode::read, key);
-            const LineFacts*& writer = reads                         ? updates
-                                       : node.line->sometimes        ? sometimes
-                                       : node.line->window.limited() ? limited
-                                                                     : always;
+            const Line*& writer = reads                         ? updates
+                                  : node.line->every            ? sometimes
+                                  : node.line->window.limited() ? limited
+                                                                : always;
             if (!writer) writer = node.line;
         }
     }
@@ -54,7 +54,7 @@ class FieldCheck {
         : facts_(facts), flow_(flow), issues_(issues) {}
 
     /// The first reader stands for all, and one missing method for all that it would compute.
-    void report(const LineFacts& reader, const FieldKey& key) {
+    void report(const Line& reader, const FieldKey& key) {
         if (!reported_.insert(key).second) return;
         for (const FieldMaker* maker : advised_[key.first])
             if (maker->fields.count(key.second) > 0) return;
@@ -77,16 +77,14 @@ class FieldCheck {
         return only;
     }
 
-    static std::string advice(const LineFacts& reader, const FieldKey& key,
-                              const FieldMaker& maker) {
+    static std::string advice(const Line& reader, const FieldKey& key, const FieldMaker& maker) {
         return fmt::format(
             "{} reads {} of {}, which nothing computes: call a method of type {} for {} "
             "first",
             reader.label, key.second, key.first, maker.method, key.first);
     }
 
-    std::string message(const LineFacts& reader, const FieldKey& key,
-                        const Writers& writers) const {
+    std::string message(const Line& reader, const FieldKey& key, const Writers& writers) const {
         const std::string what = fmt::format("{} of {}", key.second, key.first);
         if (writers.always)
             return fmt::format("{} reads {} before {} has written it: call {} earlier, or in start",
@@ -131,7 +129,7 @@ void checkFields(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& i
 
     FieldCheck check(facts, flow, issues);
     for (std::size_t k = 0; k < flow.nodes().size(); ++k) {
-        const LineFacts* line = flow.nodes()[k].line;
+        const Line* line = flow.nodes()[k].line;
         if (!line) continue;
         for (const FieldAccess& access : line->accesses) {
             const FieldKey key{access.body, access.field};

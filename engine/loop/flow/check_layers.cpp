@@ -10,10 +10,10 @@ namespace sphinx::loop {
 namespace {
 
 /// `may_extend`: whether the layer's interval may become longer than planned.
-void checkInside(const LayerFacts& layer, bool may_extend, std::vector<Issue>& issues) {
-    const LayerFacts* first = nullptr;
-    for (const StepFacts& step : layer.steps) {
-        const auto* inner = std::get_if<LayerFacts>(&step.value);
+void checkInside(const Layer& layer, bool may_extend, std::vector<Issue>& issues) {
+    const Layer* first = nullptr;
+    for (const Step& step : layer.steps) {
+        const auto* inner = std::get_if<Layer>(&step.value);
         if (!inner) continue;
         if (inner->dt.empty() && !inner->fixed_dt)
             issues.push_back({Severity::error, inner->id,
@@ -39,7 +39,7 @@ void checkInside(const LayerFacts& layer, bool may_extend, std::vector<Issue>& i
 }  // namespace
 
 void checkLayers(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues) {
-    const LayerFacts& outermost = facts.outermost;
+    const Layer& outermost = facts.plan.outermost;
     if (outermost.dt.empty() && !outermost.fixed_dt)
         issues.push_back(
             {Severity::error, outermost.id,

@@ -10,40 +10,41 @@
 namespace sphinx::loop {
 namespace {
 
-/// Of one fluid: whether the viscous force that it feels is that of its present velocity.
+/// Of one fluid: whether the load that it has felt is still that of its present state.
 struct LoadState {
     bool fresh = false;
-    const LineFacts* cause = nullptr;  ///< the line that made it stale; null: never computed
+    const Line* cause = nullptr;  ///< the line that made it stale; null: never computed
 };
 using LoadStates = std::map<std::string, LoadState>;  ///< by fluid
 
-FieldKey loadOf(const std::string& fluid) {
-    return {fluid, std::string(pseudo_field::fresh_viscous_load)};
-}
-
 class LoadCheck {
  public:
-    LoadCheck(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues)
-        : facts_(facts), flow_(flow), issues_(issues) {}
+    LoadCheck(const FeltLoad& load, const LoopFacts& facts, const Flow& flow,
+              std::vector<Issue>& issues)
+        : load_(load), facts_(facts), flow_(flow), issues_(issues) {}
 
     void run() {
         LoadStates initial;
         for (const BodyFacts& body : facts_.bodies) initial[body.name];
+        const auto act = [this](const FlowNode& node, LoadStates& states) { pass(node, states); };
         const std::vector<LoadStates> before = solveForward(flow_, initial, act, meet);
         for (std::size_t k = 0; k < flow_.nodes().size(); ++k)
-            if (const LineFacts* line = flow_.nodes()[k].line)
+            if (const Line* line = flow_.nodes()[k].line)
                 for (const auto& [fluid, state] : before[k])
                     if (has(*line, AccessMode::read, loadOf(fluid)) && !state.fresh)
                         report(flow_.nodes()[k], fluid, state);
     }
 
  private:
-    static void act(const FlowNode& node, LoadStates& states) {
+    FieldKey loadOf(const std::string& fluid) const { return {fluid, std::string(load_.field)}; }
+
+    void pass(const FlowNode& node, LoadStates& states) const {
         if (!node.line) return;
         for (auto& [fluid, state] : states) {
-            if (state.fresh && has(*node.line, AccessMode::write, {fluid, "velocity"}))
+            const FieldKey cause{fluid, std::string(load_.stale_by)};
+            if (state.fresh && has(*node.line, AccessMode::write, cause))
                 state = {false, node.line};
-            if (!node.line->sometimes && has(*node.line, AccessMode::write, loadOf(fluid)))
+            if (!node.line->every && has(*node.line, AccessMode::write, loadOf(fluid)))
                 state = {true, nullptr};
         }
     }
@@ -59,11 +60,11 @@ class LoadCheck {
     }
 
     void report(const FlowNode& node, const std::string& fluid, const LoadState& state) {
-        const LineFacts& line = *node.line;
+        const Line& line = *node.line;
         if (!reported_.insert(line.id).second) return;
         const std::string what =
-            fmt::format("{} hands on the viscous force that {} has felt", line.label, fluid);
-        const LineFacts* writer = nullptr;
+            fmt::format("{} hands on the {} that {} has felt", line.label, load_.what, fluid);
+        const Line* writer = nullptr;
         for (const FlowNode& node : flow_.nodes())
             if (!writer && node.line && has(*node.line, AccessMode::write, loadOf(fluid)))
                 writer = node.line;
@@ -75,8 +76,8 @@ class LoadCheck {
         else if (state.cause)
             issues_.push_back(
                 {Severity::error, line.id,
-                 fmt::format("{}, but {} has changed its velocity since: call {} directly after {}",
-                             what, state.cause->label, line.label, writer->label)});
+                 fmt::format("{}, but {} has changed its {} since: call {} directly after {}", what,
+                             state.cause->label, load_.stale_by, line.label, writer->label)});
         else
             issues_.push_back({Severity::error, line.id,
                                fmt::format("{}, but{} {} has not computed it yet: call {} directly "
@@ -87,11 +88,12 @@ class LoadCheck {
     std::string makers() const {
         std::string names;
         for (const FieldMaker& maker : facts_.makers)
-            if (maker.fields.count(std::string(pseudo_field::fresh_viscous_load)) > 0)
+            if (maker.fields.count(std::string(load_.field)) > 0)
                 names += (names.empty() ? "" : " or ") + maker.method;
         return names;
     }
 
+    const FeltLoad& load_;
     const LoopFacts& facts_;
     const Flow& flow_;
     std::vector<Issue>& issues_;
@@ -101,7 +103,7 @@ class LoadCheck {
 }  // namespace
 
 void checkLoads(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues) {
-    LoadCheck(facts, flow, issues).run();
+    for (const FeltLoad& load : felt_loads) LoadCheck(load, facts, flow, issues).run();
 }
 
 }  // namespace sphinx::loop

@@ -14,7 +14,7 @@ enum class Level { missing, stale, fresh };
 
 struct ListState {
     Level level = Level::missing;
-    const LineFacts* cause = nullptr;  ///< the line that made it stale or invalid
+    const Line* cause = nullptr;  ///< the line that made it stale or invalid
 };
 /// One for each list.
 using ListStates = std::vector<ListState>;
@@ -25,19 +25,19 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 FieldKey listsOf(const std::string& body) { return {body, std::string(pseudo_field::neighbors)}; }
 
-bool rebuilds(const LineFacts& line, const ListFacts& list) {
+bool rebuilds(const Line& line, const ListFacts& list) {
     return has(line, AccessMode::write, listsOf(list.owner)) ||
            has(line, AccessMode::write, listsOf(list.other));
 }
 
 /// The body of the list that the line moves, or nullptr.
-const std::string* moved(const LineFacts& line, const ListFacts& list) {
+const std::string* moved(const Line& line, const ListFacts& list) {
     for (const std::string* body : {&list.owner, &list.other})
         if (has(line, AccessMode::write, {*body, "position"})) return body;
     return nullptr;
 }
 
-bool needs(const LineFacts& line, const ListFacts& list, std::string_view how) {
+bool needs(const Line& line, const ListFacts& list, std::string_view how) {
     return has(line, AccessMode::read, {list.owner, std::string(how)});
 }
 
@@ -78,7 +78,7 @@ class NeighborCheck {
         }
     }
 
-    void act(const LineFacts& line, ListStates& states) const {
+    void act(const Line& line, ListStates& states) const {
         for (std::size_t k = 0; k < lists_.size(); ++k) {
             const ListFacts& list = lists_[k];
             ListState& state = states[k];
@@ -88,7 +88,7 @@ class NeighborCheck {
             if (permuted && !rebuilt) state = {Level::missing, &line};
             if (!list.reference_configuration && state.level != Level::missing && moved(line, list))
                 state = {Level::stale, &line};
-            if (!line.sometimes && rebuilt) state = {Level::fresh, nullptr};
+            if (!line.every && rebuilt) state = {Level::fresh, nullptr};
         }
     }
 
@@ -110,7 +110,7 @@ class NeighborCheck {
     }
 
     /// One message for each body and kind of trouble.
-    void report(const LineFacts& line, const std::string& body, const std::string& message) {
+    void report(const Line& line, const std::string& body, const std::string& message) {
         if (reported_.insert(body).second) issues_.push_back({Severity::error, line.id, message});
     }
 
@@ -121,7 +121,7 @@ class NeighborCheck {
     }
 
     void findNeverRebuilt(const ListFacts& list, std::size_t epoch) {
-        const LineFacts* mover = nullptr;
+        const Line* mover = nullptr;
         for (std::size_t k = flow_.loopBegins().front(); k < flow_.nodes().size(); ++k) {
             const FlowNode& node = flow_.nodes()[k];
             if (!node.line || node.epoch != epoch) continue;
@@ -136,7 +136,7 @@ class NeighborCheck {
                            remedy(list)));
     }
 
-    void judge(const LineFacts& line, const ListStates& states) {
+    void judge(const Line& line, const ListStates& states) {
         for (std::size_t k = 0; k < lists_.size(); ++k) {
             const ListFacts& list = lists_[k];
             const ListState& state = states[k];
@@ -174,10 +174,10 @@ class NeighborCheck {
                     return node.line && needs(*node.line, list, pseudo_field::neighbors);
                 },
                 [&](const FlowNode& node) {
-                    return node.line && !node.line->sometimes && rebuilds(*node.line, list);
+                    return node.line && !node.line->every && rebuilds(*node.line, list);
                 });
             if (!user) continue;
-            const LineFacts& line = *flow_.nodes()[*user].line;
+            const Line& line = *flow_.nodes()[*user].line;
             report(
                 line, list.owner,
                 fmt::format("{} uses neighbors of {} from before {} moved {} in the last step, "

@@ -38,7 +38,7 @@ class SpanCheck {
 
  private:
     bool uses(std::size_t node, AccessMode mode, const FieldKey& span) const {
-        const LineFacts* line = flow_.nodes()[node].line;
+        const Line* line = flow_.nodes()[node].line;
         return line && has(*line, mode, span);
     }
     /// Nodes that follow those of that mode.
@@ -111,7 +111,7 @@ class SpanCheck {
                                closer(span)));
     }
     /// A wall that is moved has no steps.
-    void neverOpened(const LineFacts& line, const FieldAccess& access) {
+    void neverOpened(const Line& line, const FieldAccess& access) {
         const bool needed = access.mode == AccessMode::close ||
                             (access.mode == AccessMode::within && moving_.count(access.body) > 0);
         if (needed && opened_.count({access.body, access.field}) == 0)
@@ -128,7 +128,7 @@ class SpanCheck {
     std::string closer(const FieldKey& span) const {
         return labelOf(AccessMode::close, span, "its end");
     }
-    void report(const LineFacts& line, std::string text) {
+    void report(const Line& line, std::string text) {
         if (reported_.insert(line.id).second)
             issues_.push_back({Severity::error, line.id, std::move(text)});
     }

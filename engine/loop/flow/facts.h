@@ -2,47 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/dynamics.h"
-#include "loop/plan/fit.h"
-#include "loop/plan/window.h"
+#include "loop/plan/plan.h"
 
 #include <set>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace sphinx::loop {
-
-/// What is known of a loop before any particle exists: the shape of it and what its lines declare.
-/// Ids are the caller's (they stand for places in the case file) and come back in messages.
-
-/// A call, an estimate of a time step, or an output.
-struct LineFacts {
-    int id = 0;
-    std::string label;
-    /// An action that writes only some particles of a body declares the field as read, too.
-    std::vector<FieldAccess> accesses;
-    std::vector<std::string> permutes;  ///< bodies whose particles it may reorder or remove
-    bool sometimes = false;             ///< under `every:`
-    Window window = {};                 ///< of a line of the loop
-
-    bool inEverySubstep() const { return !sometimes && !window.limited(); }
-};
-
-struct StepFacts;
-
-struct LayerFacts {
-    int id = 0;
-    std::string name;
-    Fit fit = Fit::split;
-    std::vector<LineFacts> dt;
-    bool fixed_dt = false;
-    std::vector<StepFacts> steps;
-};
-
-struct StepFacts {
-    std::variant<LineFacts, LayerFacts> value;
-};
 
 struct BodyFacts {
     std::string name;
@@ -66,14 +32,13 @@ struct FieldMaker {
     std::set<std::string> fields;
 };
 
+/// A loop before any particle exists: its plan as the case describes it, and what else its check
+/// has to know.
 struct LoopFacts {
+    Plan plan;
     std::vector<BodyFacts> bodies;
     std::vector<ListFacts> lists;
-    double start_time = 0;
     std::string time_unit;  ///< behind times in messages: " ms"
-    std::vector<LineFacts> start;
-    LayerFacts outermost;
-    std::vector<LineFacts> outputs;  ///< read after outermost steps, not in all of them
     std::vector<FieldMaker> makers;
 };
 

@@ -5,42 +5,44 @@
 #include "loop/flow/zeroing.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace sphinx::loop {
 
 namespace {
 
-bool hasWindows(const LayerFacts& layer) {
-    return std::any_of(layer.steps.begin(), layer.steps.end(), [](const StepFacts& step) {
-        const auto* line = std::get_if<LineFacts>(&step.value);
-        return line ? line->window.limited() : hasWindows(std::get<LayerFacts>(step.value));
+bool hasWindows(const Layer& layer) {
+    return std::any_of(layer.steps.begin(), layer.steps.end(), [](const Step& step) {
+        const auto* line = std::get_if<Call>(&step.value);
+        return line ? line->window.limited() : hasWindows(std::get<Layer>(step.value));
     });
 }
 
 }  // namespace
 
-Flow::Flow(const LoopFacts& facts) : start_time_(facts.start_time), time_unit_(facts.time_unit) {
-    collectWindows(facts.outermost);
+Flow::Flow(const LoopFacts& facts)
+    : start_time_(facts.plan.start_time), time_unit_(facts.time_unit) {
+    collectWindows(facts.plan.outermost);
     std::sort(window_edges_.begin(), window_edges_.end());
     window_edges_.erase(std::unique(window_edges_.begin(), window_edges_.end()),
                         window_edges_.end());
-    for (const LineFacts& line : facts.start) add({FlowNode::Kind::line, &line, {}, {}, 0, {}});
-    add(facts.outermost, 0, &facts.outputs);
+    for (const Call& line : facts.plan.start) add({FlowNode::Kind::line, &line, {}, {}, 0, {}});
+    std::tie(loop_begins_, loop_ends_) = add(facts.plan.outermost, 0);
 }
 
-void Flow::collectWindows(const LayerFacts& layer) {
-    for (const StepFacts& step : layer.steps) {
-        if (const auto* inner = std::get_if<LayerFacts>(&step.value)) {
+void Flow::collectWindows(const Layer& layer) {
+    for (const Step& step : layer.steps) {
+        if (const auto* inner = std::get_if<Layer>(&step.value)) {
             collectWindows(*inner);
             continue;
         }
-        const Window& window = std::get<LineFacts>(step.value).window;
+        const Window& window = std::get<Call>(step.value).window;
         for (const std::optional<double>& edge : {window.from, window.until})
             if (edge && *edge > start_time_) window_edges_.push_back(*edge);
     }
 }
 
-bool Flow::acts(const LineFacts& line, std::size_t epoch) const {
+bool Flow::acts(const Line& line, std::size_t epoch) const {
     return line.window.holds(epoch == 0 ? start_time_ : window_edges_[epoch - 1]);
 }
 
@@ -57,23 +59,22 @@ void Flow::add(FlowNode node) {
     nodes_.push_back(std::move(node));
 }
 
-void Flow::addSteps(const LayerFacts& layer, std::size_t epoch) {
+void Flow::addSteps(const Layer& layer, std::size_t epoch) {
     const std::vector<Zeroing> zeros = zeroings(layer);
     auto zero = zeros.begin();
     for (std::size_t k = 0; k < layer.steps.size(); ++k) {
         for (; zero != zeros.end() && zero->before == k; ++zero)
             add({FlowNode::Kind::zero, nullptr, &layer, {zero->body, zero->field}, epoch, {}});
-        if (const auto* inner = std::get_if<LayerFacts>(&layer.steps[k].value)) {
-            add(*inner, epoch, nullptr);
+        if (const auto* inner = std::get_if<Layer>(&layer.steps[k].value)) {
+            add(*inner, epoch);
             continue;
         }
-        const auto& line = std::get<LineFacts>(layer.steps[k].value);
+        const auto& line = std::get<Call>(layer.steps[k].value);
         if (acts(line, epoch)) add({FlowNode::Kind::line, &line, {}, {}, epoch, {}});
     }
 }
 
-void Flow::add(const LayerFacts& layer, std::size_t first_epoch,
-               const std::vector<LineFacts>* outputs) {
+Flow::Ends Flow::add(const Layer& layer, std::size_t first_epoch) {
     const std::size_t last_epoch = hasWindows(layer) ? epochs() - 1 : first_epoch;
     std::vector<std::size_t> begins, ends;
     for (std::size_t epoch = first_epoch; epoch <= last_epoch; ++epoch) {
@@ -81,18 +82,14 @@ void Flow::add(const LayerFacts& layer, std::size_t first_epoch,
         if (epoch > first_epoch) ends_.clear();
         begins.push_back(nodes_.size());
         add({FlowNode::Kind::layer_begin, nullptr, &layer, {}, epoch, {}});
-        for (const LineFacts& line : layer.dt)
-            add({FlowNode::Kind::line, &line, {}, {}, epoch, {}});
+        for (const TimeStep& line : layer.dt) add({FlowNode::Kind::line, &line, {}, {}, epoch, {}});
         addSteps(layer, epoch);
-        if (outputs)
-            for (const LineFacts& line : *outputs)
-                add({FlowNode::Kind::line, &line, {}, {}, epoch, {}});
         ends.push_back(nodes_.size());
         add({FlowNode::Kind::layer_end, nullptr, &layer, {}, epoch, {}});
         for (const std::size_t end : ends) nodes_[end].next.push_back(begins.back());
     }
     ends_ = ends;
-    if (outputs) loop_begins_ = begins, loop_ends_ = ends;
+    return {begins, ends};
 }
 
 std::optional<std::size_t> Flow::find(std::vector<std::size_t> from, const Predicate& wanted,
@@ -110,7 +107,7 @@ std::optional<std::size_t> Flow::find(std::vector<std::size_t> from, const Predi
     return std::nullopt;
 }
 
-bool has(const LineFacts& line, AccessMode mode, const FieldKey& key) {
+bool has(const Line& line, AccessMode mode, const FieldKey& key) {
     return std::any_of(line.accesses.begin(), line.accesses.end(), [&](const FieldAccess& access) {
         return access.mode == mode && access.body == key.first && access.field == key.second;
     });
@@ -122,7 +119,7 @@ bool reads(const FlowNode& node, const FieldKey& key) {
 
 bool replaces(const FlowNode& node, const FieldKey& key) {
     if (node.kind == FlowNode::Kind::zero) return node.zeroed == key;
-    return node.line && !node.line->sometimes && has(*node.line, AccessMode::write, key);
+    return node.line && !node.line->every && has(*node.line, AccessMode::write, key);
 }
 
 }  // namespace sphinx::loop

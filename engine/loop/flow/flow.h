@@ -21,16 +21,16 @@ struct FlowNode {
     enum class Kind { line, zero, layer_begin, layer_end };
 
     Kind kind = Kind::line;
-    const LineFacts* line = nullptr;    ///< line
-    const LayerFacts* layer = nullptr;  ///< layer_begin, layer_end, zero
-    FieldKey zeroed;                    ///< zero
-    std::size_t epoch = 0;              ///< that of its layer's substep
-    std::vector<std::size_t> next;      ///< nodes that may follow
+    const Line* line = nullptr;     ///< line
+    const Layer* layer = nullptr;   ///< layer_begin, layer_end, zero
+    FieldKey zeroed;                ///< zero
+    std::size_t epoch = 0;          ///< that of its layer's substep
+    std::vector<std::size_t> next;  ///< nodes that may follow
 };
 
 /// The loop as a program: start lines, then the outermost layer (each layer runs at least once, its
-/// estimates first; accumulated fields are zeroed before their first accumulator), the outputs at
-/// the end of an outermost step, and back. Refers to the facts.
+/// estimates first; accumulated fields are zeroed before their first accumulator), and back. Refers
+/// to the facts.
 ///
 /// The windows of lines divide time into epochs, in each of which a line acts always or never. The
 /// program has every layer that windows concern once for each epoch in which its substep may begin:
@@ -40,7 +40,7 @@ class Flow {
     explicit Flow(const LoopFacts& facts);
 
     const std::vector<FlowNode>& nodes() const { return nodes_; }
-    /// Where outermost steps begin and, outputs included, end: one node for each epoch.
+    /// Where outermost steps begin and end: one node for each epoch.
     const std::vector<std::size_t>& loopBegins() const { return loop_begins_; }
     const std::vector<std::size_t>& loopEnds() const { return loop_ends_; }
     std::size_t epochs() const { return window_edges_.size() + 1; }
@@ -54,11 +54,12 @@ class Flow {
                                     const Predicate& stops) const;
 
  private:
-    void collectWindows(const LayerFacts& layer);
-    bool acts(const LineFacts& line, std::size_t epoch) const;
-    void add(const LayerFacts& layer, std::size_t first_epoch,
-             const std::vector<LineFacts>* outputs);
-    void addSteps(const LayerFacts& layer, std::size_t epoch);
+    void collectWindows(const Layer& layer);
+    bool acts(const Line& line, std::size_t epoch) const;
+    /// Its begins and its ends, one for each epoch.
+    using Ends = std::pair<std::vector<std::size_t>, std::vector<std::size_t>>;
+    Ends add(const Layer& layer, std::size_t first_epoch);
+    void addSteps(const Layer& layer, std::size_t epoch);
     void add(FlowNode node);
 
     double start_time_;
@@ -70,7 +71,7 @@ class Flow {
     std::vector<std::size_t> loop_ends_;
 };
 
-bool has(const LineFacts& line, AccessMode mode, const FieldKey& key);
+bool has(const Line& line, AccessMode mode, const FieldKey& key);
 /// The node reads the field, or gives it a new value in every pass.
 bool reads(const FlowNode& node, const FieldKey& key);
 bool replaces(const FlowNode& node, const FieldKey& key);

@@ -7,11 +7,11 @@
 
 namespace sphinx::loop {
 
-std::vector<Zeroing> zeroings(const LayerFacts& layer) {
+std::vector<Zeroing> zeroings(const Layer& layer) {
     std::vector<Zeroing> all;
     std::set<std::pair<std::string, std::string>> seen;
     for (std::size_t k = 0; k < layer.steps.size(); ++k) {
-        const auto* line = std::get_if<LineFacts>(&layer.steps[k].value);
+        const auto* line = std::get_if<Call>(&layer.steps[k].value);
         if (!line) continue;
         for (const FieldAccess& access : line->accesses)
             if (access.mode == AccessMode::accumulate &&

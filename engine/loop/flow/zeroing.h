@@ -19,6 +19,6 @@ struct Zeroing {
 
 /// Fields that the calls of this layer accumulate (not those of layers inside it), each with its
 /// first accumulator; ascending by `before`.
-std::vector<Zeroing> zeroings(const LayerFacts& layer);
+std::vector<Zeroing> zeroings(const Layer& layer);
 
 }  // namespace sphinx::loop

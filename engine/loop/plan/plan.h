@@ -15,22 +15,33 @@
 
 namespace sphinx::loop {
 
-/// One line of `start` or `steps`.
-struct Call {
+/// A line of the loop as the case and the declaration of its method describe it, before any
+/// particle exists: all that the check of the loop (loop/flow) reads.
+struct Line {
     std::string label;  ///< as in the case file: "pressure_relaxation.first_half"
-    Method* method = nullptr;
-    ActionCall action = nullptr;  ///< of that method
+    int id = 0;  ///< the caller's (it stands for a place in the case file); messages come with it
+    /// An action that writes only some particles of a body declares the field as read, too.
+    std::vector<FieldAccess> accesses = {};
+    std::vector<std::string> permutes = {};  ///< bodies whose particles it may reorder or remove
     /// Without: in every substep. Steps count the one under way, time is the end of the substep;
     /// a wall time is refused, because results would depend on the speed of the machine.
-    std::optional<Trigger> every;
+    std::optional<Trigger> every = {};
     Window window = {};  ///< moments of `every` outside of it pass
+
+    bool inEverySubstep() const { return !every && !window.limited(); }
+};
+
+/// A line of `start` or `steps`, and what it calls: null until the plan is bound to its methods.
+struct Call : Line {
+    Method* method = nullptr;
+    ActionCall action = nullptr;  ///< of that method
 
     void act(const Clock& clock) const { action(*method, clock); }
 };
 
-struct TimeStep {
-    std::string label;
-    TimeStepMethod* method = nullptr;
+/// An estimate of the time step of a layer.
+struct TimeStep : Line {
+    TimeStepMethod* method = nullptr;  ///< null until the plan is bound
 };
 
 struct Step;
@@ -42,6 +53,7 @@ struct Layer {
     std::optional<double> fixed_dt;  ///< a limit like the estimates; time, above 0
     Fit fit = Fit::split;            ///< of inner layers
     std::vector<Step> steps;
+    int id = 0;  ///< as that of a line
 };
 
 struct Step {
@@ -59,7 +71,8 @@ struct OutputEntry {
     bool restart = false;
 };
 
-/// A whole run. The pointers stay the caller's and outlive the runner.
+/// A whole run: described first, so that its data flow can be checked; then bound to methods and
+/// outputs, which stay the caller's and outlive the runner.
 struct Plan {
     double start_time = 0;  ///< case units
     double end_time = 0;    ///< case units; the run ends after the first outermost step reaching it
@@ -68,8 +81,8 @@ struct Plan {
     std::vector<OutputEntry> outputs;
 };
 
-/// Throws std::invalid_argument for a plan that cannot run: the data-flow check (check.h) and the
-/// reader of the case have refused such a case before, with its place.
+/// Throws std::invalid_argument for a bound plan that cannot run: the data-flow check (check.h) and
+/// the reader of the case have refused such a case before, with its place.
 void validate(const Plan& plan);
 
 }  // namespace sphinx::loop

@@ -131,14 +131,13 @@ TEST_CASE("A case becomes plain data in case units") {
     CHECK(c.findShape("corner")->as<2>()->contains(Vec<2>(203, 100)));
 
     CHECK(c.loop.end_time == 1000);
-    CHECK(c.loop.layer.dt_methods.at(0).text == "advection_dt");
-    CHECK(c.loop.layer.dt == 5);
-    const model::Layer& acoustic = *c.loop.layer.steps.at(1).layer;
+    CHECK(c.loop.dt.methods.at(0).text == "advection_dt");
+    CHECK(c.loop.dt.number == 5);
+    const model::Layer& acoustic = *c.loop.steps.at(1).layer;
     CHECK(acoustic.fit == model::Fit::clip);
-    CHECK(acoustic.steps.at(1).method.text == "relaxation");
-    CHECK(acoustic.steps.at(1).action_index == 1);
-    CHECK(c.loop.layer.steps.at(2).every->layer.text == "acoustic");
-    CHECK(c.loop.layer.steps.at(2).every->steps == 100);
+    CHECK(acoustic.steps.at(1).method() == "relaxation");
+    CHECK(c.loop.steps.at(2).every->layer.text == "acoustic");
+    CHECK(c.loop.steps.at(2).every->steps == 100);
     CHECK(c.findMethod("gravity")->place.line > 1);
     CHECK(c.findMethod("gravity")->placeOf("body").column > 10);
 }

@@ -14,22 +14,22 @@ TEST_CASE("nothing is wrong with the dam break") { CHECK(found(DamBreak().facts(
 TEST_CASE("layers need a time step") {
     LoopFacts facts = DamBreak().facts();
     SECTION("the outermost") {
-        facts.outermost.dt.clear();
+        facts.plan.outermost.dt.clear();
         CHECK(found(facts) ==
               Messages{"10 error the loop has no time step: give layer advection a dt"});
-        facts.outermost.fixed_dt = true;
+        facts.plan.outermost.fixed_dt = 1.0;
         CHECK(found(facts).empty());
     }
     SECTION("an inner one") {
-        std::get<LayerFacts>(facts.outermost.steps[2].value).dt.clear();
+        std::get<Layer>(facts.plan.outermost.steps[2].value).dt.clear();
         CHECK(found(facts) == Messages{"20 error layer acoustic has no time step: give it a dt"});
     }
 }
 
 TEST_CASE("a layer overshoots only where its parent can follow") {
     LoopFacts facts = DamBreak().facts();
-    LayerFacts& acoustic = std::get<LayerFacts>(facts.outermost.steps[2].value);
-    LayerFacts elastic{30, "elastic", Fit::overshoot, {}, true, {}};
+    Layer& acoustic = std::get<Layer>(facts.plan.outermost.steps[2].value);
+    Layer elastic{"elastic", {}, 1.0, Fit::overshoot, {}, 30};
     SECTION("inside a layer that splits") {
         acoustic.steps.push_back({elastic});
         CHECK(found(facts) ==
@@ -39,7 +39,7 @@ TEST_CASE("a layer overshoots only where its parent can follow") {
         CHECK(found(facts).empty());
     }
     SECTION("after another layer") {
-        facts.outermost.steps.push_back({elastic});
+        facts.plan.outermost.steps.push_back({elastic});
         CHECK(found(facts) ==
               Messages{"30 error layer elastic overshoots and would leave layer acoustic behind, "
                        "which has covered the same step before it: put elastic first"});
@@ -58,28 +58,28 @@ TEST_CASE("a field is read before anything wrote it") {
     LoopFacts facts = lines.facts();
 
     SECTION("nothing writes it") {
-        facts.start.pop_back();
+        facts.plan.start.pop_back();
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half reads normal of wall, which "
                        "nothing writes: call a method that computes it first"});
     }
     SECTION("one missing method is named once, with all that it would compute") {
-        facts.start.pop_back();
+        facts.plan.start.pop_back();
         facts.makers = {{"normals_from_shape", {"normal", "depth"}}, {"weights", {"mass"}}};
-        facts.outputs[0].accesses.push_back(read("wall", "depth"));
+        look(facts, read("wall", "depth"));
         CHECK(
             found(facts) ==
             Messages{"22 error pressure_relaxation.first_half reads normal of wall, which nothing "
                      "computes: call a method of type normals_from_shape for wall first"});
         facts.makers.push_back({"other_normals", {"normal"}});  // which of them?
-        facts.outputs[0].accesses.pop_back();
+        facts.plan.outermost.steps.pop_back();
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half reads normal of wall, which "
                        "nothing writes: call a method that computes it first"});
     }
     SECTION("it is written later in the loop") {
-        facts.start.pop_back();
-        facts.outermost.steps.push_back({lines.normals});
+        facts.plan.start.pop_back();
+        facts.plan.outermost.steps.push_back({lines.normals});
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half reads normal of wall before "
                        "wall_normals has written it: call wall_normals earlier, or in start"});
@@ -92,17 +92,17 @@ TEST_CASE("a field is read before anything wrote it") {
                        "pressure_relaxation.second_half earlier, or in start"});
     }
     SECTION("a write under every does not count") {
-        facts.start.pop_back();
-        lines.normals.sometimes = true;
-        facts.outermost.steps.insert(facts.outermost.steps.begin(), {lines.normals});
+        facts.plan.start.pop_back();
+        lines.normals.every = now_and_then;
+        facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin(), {lines.normals});
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half reads normal of wall, which "
                        "wall_normals writes only in some steps: call wall_normals in start too"});
-        facts.start.push_back(DamBreak().normals);
+        facts.plan.start.push_back(DamBreak().normals);
         CHECK(found(facts).empty());
     }
     SECTION("an accumulated field before its first accumulator") {
-        std::swap(facts.outermost.steps[1], facts.outermost.steps[2]);
+        std::swap(facts.plan.outermost.steps[1], facts.plan.outermost.steps[2]);
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half reads external_acceleration of "
                        "water before gravity has written it: call gravity earlier, or in start"});
@@ -113,16 +113,15 @@ TEST_CASE("a field is read before anything wrote it") {
                                        "pressure_relaxation.first_half only updates: call a "
                                        "method that computes it first"});
     }
-    SECTION("by an output") {
-        facts.outputs[0].accesses.push_back(read("water", "vorticity"));
+    SECTION("by a line that acts now and then") {
+        look(facts, read("water", "vorticity"));
         CHECK(found(facts) ==
-              Messages{"41 error fields reads vorticity of water, which nothing writes: call a "
+              Messages{"41 error look reads vorticity of water, which nothing writes: call a "
                        "method that computes it first"});
     }
-    SECTION("an output is content with what a step writes") {
-        facts.outputs[0].accesses.push_back(read("water", "force"));
-        LineFacts force{14, "force", {write("water", "force")}, {}, false};
-        facts.outermost.steps.push_back({force});
+    SECTION("it is content with what the step has written") {
+        facts.plan.outermost.steps.push_back({line(14, "force", {write("water", "force")})});
+        look(facts, read("water", "force"));
         CHECK(found(facts).empty());
     }
 }
@@ -130,13 +129,13 @@ TEST_CASE("a field is read before anything wrote it") {
 TEST_CASE("accumulated fields are zeroed before their first accumulator") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    LineFacts viscosity{15, "viscosity", {add("water", "external_acceleration")}, {}, false};
-    LineFacts load{24, "load", {add("gate", "force"), add("water", "reaction")}, {}, false};
-    facts.outermost.steps.insert(facts.outermost.steps.begin() + 2, {viscosity});
-    LayerFacts& acoustic = std::get<LayerFacts>(facts.outermost.steps[3].value);
+    Call viscosity = line(15, "viscosity", {add("water", "external_acceleration")});
+    Call load = line(24, "load", {add("gate", "force"), add("water", "reaction")});
+    facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin() + 2, {viscosity});
+    Layer& acoustic = std::get<Layer>(facts.plan.outermost.steps[3].value);
     acoustic.steps.insert(acoustic.steps.begin() + 1, {load});
 
-    const auto outer = zeroings(facts.outermost);
+    const auto outer = zeroings(facts.plan.outermost);
     REQUIRE(outer.size() == 1);
     CHECK(outer[0].body == "water");
     CHECK(outer[0].field == "external_acceleration");
@@ -153,8 +152,8 @@ TEST_CASE("accumulated fields are zeroed before their first accumulator") {
 TEST_CASE("accumulated fields that spoil each other") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    LayerFacts& acoustic = std::get<LayerFacts>(facts.outermost.steps[2].value);
-    const LineFacts viscosity{24, "viscosity", {add("water", "external_acceleration")}, {}, false};
+    Layer& acoustic = std::get<Layer>(facts.plan.outermost.steps[2].value);
+    const Call viscosity = line(24, "viscosity", {add("water", "external_acceleration")});
 
     SECTION("in a layer and in one inside it") {
         acoustic.steps.insert(acoustic.steps.begin(), {viscosity});
@@ -166,40 +165,40 @@ TEST_CASE("accumulated fields that spoil each other") {
                        "reads it before layer acoustic zeroes it again"});
     }
     SECTION("added after the last reader") {
-        facts.outermost.steps.push_back({viscosity});
+        facts.plan.outermost.steps.push_back({viscosity});
         CHECK(found(facts) ==
               Messages{"24 warning viscosity adds to external_acceleration of water, but nothing "
                        "reads it before layer advection zeroes it again"});
     }
     SECTION("never read") {
-        const LineFacts load{24, "load", {add("gate", "force")}, {}, false};
-        facts.outermost.steps.push_back({load});
+        const Call load = line(24, "load", {add("gate", "force")});
+        facts.plan.outermost.steps.push_back({load});
         CHECK(found(facts) ==
               Messages{"24 warning load adds to force of gate, but nothing reads it before layer "
                        "advection zeroes it again"});
-        facts.outputs[0].accesses.push_back(read("gate", "force"));
+        look(facts, read("gate", "force"));
         CHECK(found(facts).empty());
     }
     SECTION("under every") {
-        LineFacts kick = viscosity;
-        kick.sometimes = true;
-        facts.outermost.steps.insert(facts.outermost.steps.begin() + 2, {kick});
+        Call kick = viscosity;
+        kick.every = now_and_then;
+        facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin() + 2, {kick});
         CHECK(found(facts) == Messages{"24 warning viscosity adds to external_acceleration of "
                                        "water only in some steps, while its layer zeroes it in "
                                        "all of them"});
     }
     SECTION("set and accumulated") {
-        const LineFacts set{24, "wave", {write("water", "external_acceleration")}, {}, false};
-        facts.outermost.steps.insert(facts.outermost.steps.begin(), {set});
+        const Call set = line(24, "wave", {write("water", "external_acceleration")});
+        facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin(), {set});
         CHECK(found(facts) ==
               Messages{"24 error wave sets external_acceleration of water, which gravity adds to "
                        "and its layer zeroes: only one way of writing a field can be used"});
     }
     SECTION("in two layers side by side") {
         acoustic.steps.insert(acoustic.steps.begin(), {viscosity});
-        LayerFacts beside{50, "beside", Fit::split, {}, true, {{viscosity}, {lines.first_half}}};
-        facts.outermost.steps[1] = {beside};
-        facts.outermost.steps.push_back({lines.neighbors});
+        Layer beside{"beside", {}, 1.0, Fit::split, {{viscosity}, {lines.first_half}}, 50};
+        facts.plan.outermost.steps[1] = {beside};
+        facts.plan.outermost.steps.push_back({lines.neighbors});
         CHECK(found(facts).empty());
     }
 }

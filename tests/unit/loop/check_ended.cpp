@@ -10,19 +10,20 @@ using namespace sphinx::loop::fake;
 
 namespace {
 
-LineFacts limited(LineFacts line, std::optional<double> from, std::optional<double> until) {
+Call limited(Call line, std::optional<double> from, std::optional<double> until) {
     line.window = {from, until};
     return line;
 }
 
 /// The dam break with lines before all others.
 struct Marked : DamBreak {
-    const LineFacts mark{14, "mark", {write("wall", "mark")}, {}, false};
-    const LineFacts look{15, "look", {read("wall", "mark")}, {}, false};
+    const Call mark = line(14, "mark", {write("wall", "mark")});
+    const Call look = line(15, "look", {read("wall", "mark")});
 
-    Messages with(const std::vector<StepFacts>& lines) const {
+    Messages with(const std::vector<Step>& lines) const {
         LoopFacts all = facts();
-        all.outermost.steps.insert(all.outermost.steps.begin(), lines.begin(), lines.end());
+        all.plan.outermost.steps.insert(all.plan.outermost.steps.begin(), lines.begin(),
+                                        lines.end());
         return found(all);
     }
 };
@@ -39,9 +40,9 @@ TEST_CASE("what has ceased to be written is not read on") {
     CHECK(lines.with({{limited(lines.mark, {}, 1.0)}, {limited(lines.look, {}, 1.0)}}).empty());
     SECTION("a value from the start does not come back") {
         LoopFacts all = lines.facts();
-        all.start.push_back(lines.mark);
-        all.outermost.steps.insert(all.outermost.steps.begin(),
-                                   {{limited(lines.mark, {}, 1.0)}, {lines.look}});
+        all.plan.start.push_back(lines.mark);
+        all.plan.outermost.steps.insert(all.plan.outermost.steps.begin(),
+                                        {{limited(lines.mark, {}, 1.0)}, {lines.look}});
         CHECK(found(all) == until_1);
     }
     SECTION("a pause is none, nor is another writer") {
@@ -53,7 +54,7 @@ TEST_CASE("what has ceased to be written is not read on") {
         CHECK(lines
                   .with({{limited(lines.mark, {}, 1.0)},
                          {lines.look},
-                         {LineFacts{16, "other", {write("wall", "mark")}, {}, false}}})
+                         {line(16, "other", {write("wall", "mark")})}})
                   .empty());
     }
     SECTION("one message for what is read too early and too late") {
@@ -66,8 +67,9 @@ TEST_CASE("what has ceased to be written is not read on") {
 TEST_CASE("an inner layer looks at what the layer around it has ceased to write") {
     const Marked lines;
     LoopFacts all = lines.facts();
-    all.outermost.steps.insert(all.outermost.steps.begin(), {limited(lines.mark, {}, 1.0)});
-    auto& inner = std::get<LayerFacts>(all.outermost.steps[3].value).steps;
+    all.plan.outermost.steps.insert(all.plan.outermost.steps.begin(),
+                                    {limited(lines.mark, {}, 1.0)});
+    auto& inner = std::get<Layer>(all.plan.outermost.steps[3].value).steps;
     inner.push_back({lines.look});
     CHECK(found(all).size() == 1);
     inner.back() = {limited(lines.look, {}, 1.0)};
@@ -77,29 +79,26 @@ TEST_CASE("an inner layer looks at what the layer around it has ceased to write"
 TEST_CASE("what may stay as it is") {
     Marked lines;
     SECTION("a place where something stands still") {
-        const LineFacts push{
-            14, "push", {read("wall", "position"), write("wall", "position")}, {}, false};
-        const LineFacts look{15, "look", {read("wall", "position")}, {}, false};
-        LineFacts update = lines.neighbors;
+        const Call push = line(14, "push", {read("wall", "position"), write("wall", "position")});
+        const Call look = line(15, "look", {read("wall", "position")});
+        Call update = lines.neighbors;
         CHECK(lines.with({{limited(push, {}, 1.0)}, {update}, {look}}).empty());
     }
     SECTION("what is zero when the window is over") {
-        const LineFacts push{14,
-                             "push",
-                             {write("wall", "velocity"), {AccessMode::release, "wall", "velocity"}},
-                             {},
-                             false};
-        const LineFacts look{15, "look", {read("wall", "velocity")}, {}, false};
+        const Call push =
+            line(14, "push", {write("wall", "velocity"), {AccessMode::release, "wall", "velocity"}},
+                 {}, false);
+        const Call look = line(15, "look", {read("wall", "velocity")});
         CHECK(lines.with({{limited(push, {}, 1.0)}, {look}}).empty());
     }
     SECTION("what its layer zeroes") {
-        const LineFacts push{14, "push", {add("wall", "force")}, {}, false};
-        const LineFacts look{15, "look", {read("wall", "force")}, {}, false};
+        const Call push = line(14, "push", {add("wall", "force")});
+        const Call look = line(15, "look", {read("wall", "force")});
         CHECK(lines.with({{limited(push, {}, 1.0)}, {look}}).empty());
     }
     SECTION("the state of a fluid that stands still, for its time step") {
         LoopFacts all = lines.facts();
-        std::get<LayerFacts>(all.outermost.steps[2].value).steps = {
+        std::get<Layer>(all.plan.outermost.steps[2].value).steps = {
             {limited(lines.first_half, {}, 1.0)}, {limited(lines.second_half, {}, 1.0)}};
         CHECK(found(all).empty());
     }

@@ -10,21 +10,21 @@ using namespace sphinx::loop::fake;
 
 TEST_CASE("lists that were never built") {
     LoopFacts facts = DamBreak().facts();
-    facts.start.erase(facts.start.begin());
+    facts.plan.start.erase(facts.plan.start.begin());
     CHECK(found(facts) == Messages{"12 error density_summation uses the neighbors of water before "
                                    "they were built: call neighbors in start"});
 }
 
 TEST_CASE("a loop that moves a body and never updates its lists") {
     LoopFacts facts = DamBreak().facts();
-    facts.outermost.steps.pop_back();
+    facts.plan.outermost.steps.pop_back();
     SECTION("although start does") {
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half moves water, but no line of the "
                        "loop updates the neighbors of water: call neighbors after it"});
     }
     SECTION("and nothing does") {
-        facts.start.erase(facts.start.begin());
+        facts.plan.start.erase(facts.plan.start.begin());
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half moves water, but no line of the "
                        "loop updates the neighbors of water: add a method neighbors.update for "
@@ -42,24 +42,24 @@ TEST_CASE("lists that are stale where up-to-date ones are needed") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
     SECTION("in the next step") {
-        lines.neighbors.sometimes = true;
-        facts.outermost.steps.back() = {lines.neighbors};
-        facts.outermost.steps.erase(facts.outermost.steps.end() - 2);  // the sort
+        lines.neighbors.every = now_and_then;
+        facts.plan.outermost.steps.back() = {lines.neighbors};
+        facts.plan.outermost.steps.erase(facts.plan.outermost.steps.end() - 2);  // the sort
         CHECK(found(facts) ==
               Messages{"12 error density_summation needs up-to-date neighbors of water, but "
                        "pressure_relaxation.second_half has moved water since they were built: "
                        "call neighbors between the two"});
     }
     SECTION("in the same step") {
-        const LineFacts level{33, "level", {read("water", "fresh_neighbors")}, {}, false};
-        facts.outermost.steps.insert(facts.outermost.steps.end() - 2, {level});
+        const Call level = line(33, "level", {read("water", "fresh_neighbors")});
+        facts.plan.outermost.steps.insert(facts.plan.outermost.steps.end() - 2, {level});
         CHECK(found(facts) ==
               Messages{"33 error level needs up-to-date neighbors of water, but "
                        "pressure_relaxation.second_half has moved water since they were built: "
                        "call neighbors between the two"});
     }
     SECTION("in the next substep of an inner layer") {
-        LayerFacts& acoustic = std::get<LayerFacts>(facts.outermost.steps[2].value);
+        Layer& acoustic = std::get<Layer>(facts.plan.outermost.steps[2].value);
         lines.density.id = 25;
         acoustic.steps.insert(acoustic.steps.begin(), {lines.density});
         CHECK(found(facts) ==
@@ -70,8 +70,8 @@ TEST_CASE("lists that are stale where up-to-date ones are needed") {
     SECTION("because another body of the list moves") {
         facts.bodies.push_back({"gate", true, {}});
         facts.lists.push_back({"water", "gate", false});
-        const LineFacts swing{26, "swing", {write("gate", "position")}, {}, false};
-        facts.outermost.steps.push_back({swing});
+        const Call swing = line(26, "swing", {write("gate", "position")});
+        facts.plan.outermost.steps.push_back({swing});
         CHECK(found(facts) ==
               Messages{"12 error density_summation needs up-to-date neighbors of water, but swing "
                        "has moved gate since they were built: call neighbors between the two"});
@@ -82,10 +82,10 @@ TEST_CASE("lists of the reference configuration do not go stale") {
     LoopFacts facts = DamBreak().facts();
     facts.bodies.push_back({"gate", true, {}});
     facts.lists.push_back({"gate", "gate", true});
-    facts.start.push_back({3, "gate_lists", {write("gate", "neighbors")}, {}, false});
-    const LineFacts stress{
-        26, "stress", {read("gate", "fresh_neighbors"), write("gate", "position")}, {}, false};
-    facts.outermost.steps.push_back({stress});
+    facts.plan.start.push_back(line(3, "gate_lists", {write("gate", "neighbors")}));
+    const Call stress =
+        line(26, "stress", {read("gate", "fresh_neighbors"), write("gate", "position")});
+    facts.plan.outermost.steps.push_back({stress});
     CHECK(found(facts).empty());
     facts.lists.back().reference_configuration = false;
     CHECK(found(facts) == Messages{"26 error stress moves gate, but no line of the loop updates "
@@ -96,23 +96,25 @@ TEST_CASE("sorting makes lists invalid") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
     SECTION("for the next step") {
-        std::swap(facts.outermost.steps[3], facts.outermost.steps[4]);
+        std::swap(facts.plan.outermost.steps[3], facts.plan.outermost.steps[4]);
         CHECK(found(facts) ==
               Messages{"12 error density_summation uses the neighbors of water, which sort has "
                        "made invalid: call neighbors in every step after sort"});
     }
     SECTION("also for methods that accept older lists") {
-        facts.outermost.steps.erase(facts.outermost.steps.begin());
-        std::swap(facts.outermost.steps[2], facts.outermost.steps[3]);
+        facts.plan.outermost.steps.erase(facts.plan.outermost.steps.begin());
+        std::swap(facts.plan.outermost.steps[2], facts.plan.outermost.steps[3]);
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half uses the neighbors of water, which "
                        "sort has made invalid: call neighbors in every step after sort"});
     }
     SECTION("of bodies that see the sorted one, reference configuration included") {
         facts.lists.push_back({"gauge", "water", true});
-        facts.outputs.push_back({42, "gauge", {read("gauge", "fresh_neighbors")}, {}, true});
+        facts.plan.outermost.steps.push_back(
+            {line(42, "gauge", {read("gauge", "fresh_neighbors")}, {}, true)});
         CHECK(found(facts).empty());
-        facts.outermost.steps.push_back({LineFacts{34, "sort_again", {}, {"water"}, false}});
+        facts.plan.outermost.steps.insert(facts.plan.outermost.steps.end() - 1,
+                                          {line(34, "sort_again", {}, {"water"})});
         CHECK(found(facts) ==
               Messages{"12 error density_summation uses the neighbors of water, which sort_again "
                        "has made invalid: call neighbors in every step after sort_again",
@@ -124,10 +126,10 @@ TEST_CASE("sorting makes lists invalid") {
 TEST_CASE("lists that a resumed run could not have") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    facts.outermost.steps.erase(facts.outermost.steps.begin());  // what needs fresh ones
+    facts.plan.outermost.steps.erase(facts.plan.outermost.steps.begin());  // what needs fresh ones
     SECTION("rebuilt in some steps only") {
-        lines.neighbors.sometimes = true;
-        facts.outermost.steps = {{lines.gravity}, {lines.acoustic()}, {lines.neighbors}};
+        lines.neighbors.every = now_and_then;
+        facts.plan.outermost.steps = {{lines.gravity}, {lines.acoustic()}, {lines.neighbors}};
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half uses neighbors of water from "
                        "before pressure_relaxation.second_half moved water in the last step, which "
@@ -135,14 +137,9 @@ TEST_CASE("lists that a resumed run could not have") {
                        "pressure_relaxation.second_half"});
     }
     SECTION("rebuilt between the halves") {
-        LayerFacts one{
-            10,
-            "only",
-            Fit::split,
-            {lines.acoustic_dt},
-            false,
-            {{lines.gravity}, {lines.first_half}, {lines.neighbors}, {lines.second_half}}};
-        facts.outermost = one;
+        facts.plan.outermost =
+            layer(10, "only", {lines.acoustic_dt},
+                  {{lines.gravity}, {lines.first_half}, {lines.neighbors}, {lines.second_half}});
         CHECK(found(facts) ==
               Messages{"22 error pressure_relaxation.first_half uses neighbors of water from "
                        "before pressure_relaxation.second_half moved water in the last step, which "
@@ -150,7 +147,7 @@ TEST_CASE("lists that a resumed run could not have") {
                        "pressure_relaxation.second_half"});
     }
     SECTION("rebuilt first thing in every step is fine") {
-        facts.outermost.steps = {{lines.neighbors}, {lines.gravity}, {lines.acoustic()}};
+        facts.plan.outermost.steps = {{lines.neighbors}, {lines.gravity}, {lines.acoustic()}};
         CHECK(found(facts).empty());
     }
 }

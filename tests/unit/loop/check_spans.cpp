@@ -12,16 +12,16 @@ namespace {
 
 /// The dam break whose halves are a step.
 struct Stepped : DamBreak {
-    LineFacts sort_now = sort;
+    Call sort_now = sort;
 
     Stepped() {
         first_half.accesses.push_back({AccessMode::open, "water", "step"});
         second_half.accesses.push_back({AccessMode::close, "water", "step"});
-        sort_now.sometimes = false;
+        sort_now.every = {};
     }
-    Messages with(std::vector<StepFacts> acoustic_steps) const {
+    Messages with(std::vector<Step> acoustic_steps) const {
         LoopFacts all = facts();
-        std::get<LayerFacts>(all.outermost.steps[2].value).steps = std::move(acoustic_steps);
+        std::get<Layer>(all.plan.outermost.steps[2].value).steps = std::move(acoustic_steps);
         return found(all);
     }
 };
@@ -41,7 +41,7 @@ TEST_CASE("particles keep their places in memory from one half of a step to the 
         CHECK(lines.with(
                   {{lines.first_half}, {lines.sort_now}, {lines.neighbors}, {lines.second_half}}) ==
               within("sort", 31));
-        lines.sort_now.sometimes = true;
+        lines.sort_now.every = now_and_then;
         CHECK(lines.with(
                   {{lines.first_half}, {lines.sort_now}, {lines.neighbors}, {lines.second_half}}) ==
               within("sort", 31));
@@ -68,9 +68,9 @@ TEST_CASE("lists that are built anew where particles are removed are fresh") {
     DamBreak lines;
     lines.neighbors.permutes = {"water"};
     CHECK(found(lines.facts()).empty());
-    lines.neighbors.sometimes = true;  // then they are stale, but not invalid
+    lines.neighbors.every = now_and_then;  // then they are stale, but not invalid
     LoopFacts all = lines.facts();
-    all.outermost.steps = {{lines.gravity}, {lines.acoustic()}, {lines.neighbors}};
+    all.plan.outermost.steps = {{lines.gravity}, {lines.acoustic()}, {lines.neighbors}};
     const Messages messages = found(all);
     REQUIRE(messages.size() == 1);
     CHECK(messages[0].find("invalid") == std::string::npos);

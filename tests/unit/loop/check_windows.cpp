@@ -11,24 +11,24 @@ using namespace sphinx::loop::fake;
 
 namespace {
 
-LineFacts limited(LineFacts line, std::optional<double> from, std::optional<double> until) {
+Call limited(Call line, std::optional<double> from, std::optional<double> until) {
     line.window = {from, until};
     return line;
 }
 
 /// The dam break with two relaxations, one until 1 and the other from then on.
 struct Shared : DamBreak {
-    LineFacts other_first = limited(first_half, 1.0, {});
-    LineFacts other_second = limited(second_half, 1.0, {});
+    Call other_first = limited(first_half, 1.0, {});
+    Call other_second = limited(second_half, 1.0, {});
 
     Shared() {
         other_first.id = 24;
         other_second.id = 25;
         first_half.window.until = second_half.window.until = 1.0;
     }
-    LoopFacts facts(std::vector<StepFacts> acoustic_steps) const {
+    LoopFacts facts(std::vector<Step> acoustic_steps) const {
         LoopFacts facts = DamBreak::facts();
-        std::get<LayerFacts>(facts.outermost.steps[2].value).steps = std::move(acoustic_steps);
+        std::get<Layer>(facts.plan.outermost.steps[2].value).steps = std::move(acoustic_steps);
         return facts;
     }
 };
@@ -37,7 +37,7 @@ struct Shared : DamBreak {
 
 TEST_CASE("two methods that share the time of a run are as good as one") {
     Shared lines;
-    for (const auto& steps : std::vector<std::vector<StepFacts>>{
+    for (const auto& steps : std::vector<std::vector<Step>>{
              {{lines.first_half}, {lines.other_first}, {lines.second_half}, {lines.other_second}},
              {{lines.first_half},
               {lines.second_half},
@@ -53,9 +53,9 @@ TEST_CASE("two methods that share the time of a run are as good as one") {
                                        {limited(lines.other_first, 2.0, {})},
                                        {lines.second_half},
                                        {lines.other_second}});
-        facts.outermost.steps[0] = {limited(lines.density, {}, 1.5)};
-        facts.outermost.steps.insert(facts.outermost.steps.begin(),
-                                     {limited(lines.density, 1.5, {})});
+        facts.plan.outermost.steps[0] = {limited(lines.density, {}, 1.5)};
+        facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin(),
+                                          {limited(lines.density, 1.5, {})});
         CHECK(found(facts).empty());
     }
 }
@@ -63,11 +63,12 @@ TEST_CASE("two methods that share the time of a run are as good as one") {
 TEST_CASE("what is written in a part of the time only is not there in the rest") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    const LineFacts mark{14, "mark", {write("wall", "mark")}, {}, false};
-    const LineFacts look{15, "look", {read("wall", "mark")}, {}, false};
-    const auto with = [&](const LineFacts& first, const LineFacts& second) {
+    const Call mark = line(14, "mark", {write("wall", "mark")});
+    const Call look = line(15, "look", {read("wall", "mark")});
+    const auto with = [&](const Call& first, const Call& second) {
         LoopFacts changed = facts;
-        changed.outermost.steps.insert(changed.outermost.steps.begin(), {{first}, {second}});
+        changed.plan.outermost.steps.insert(changed.plan.outermost.steps.begin(),
+                                            {{first}, {second}});
         return found(changed);
     };
     const Messages from_1{
@@ -91,11 +92,11 @@ TEST_CASE("what is written in a part of the time only is not there in the rest")
         Messages{"15 error look reads mark of wall before mark has written it: call mark earlier, "
                  "or in start"});
     SECTION("start makes it good") {
-        facts.start.push_back(mark);
+        facts.plan.start.push_back(mark);
         CHECK(with(limited(mark, 1.0, {}), look).empty());
     }
     SECTION("and the time of the start counts") {
-        facts.start_time = 1;
+        facts.plan.start_time = 1;
         CHECK(with(limited(mark, 1.0, {}), look).empty());
     }
 }
@@ -103,40 +104,40 @@ TEST_CASE("what is written in a part of the time only is not there in the rest")
 TEST_CASE("an inner layer comes to a window before the layer around it") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    const LineFacts mark{14, "mark", {write("wall", "mark")}, {}, false};
-    const LineFacts look{15, "look", {read("wall", "mark")}, {}, false};
-    facts.outermost.steps.insert(facts.outermost.steps.begin(), {limited(mark, 1.0, {})});
-    std::get<LayerFacts>(facts.outermost.steps[3].value).steps.push_back({limited(look, 1.0, {})});
+    const Call mark = line(14, "mark", {write("wall", "mark")});
+    const Call look = line(15, "look", {read("wall", "mark")});
+    facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin(), {limited(mark, 1.0, {})});
+    std::get<Layer>(facts.plan.outermost.steps[3].value).steps.push_back({limited(look, 1.0, {})});
     CHECK(found(facts).size() == 1);
-    std::get<LayerFacts>(facts.outermost.steps[3].value).steps.back() = {limited(look, 2.0, {})};
+    std::get<Layer>(facts.plan.outermost.steps[3].value).steps.back() = {limited(look, 2.0, {})};
     CHECK(found(facts).size() == 1);  // as long as a step may be
 }
 
 TEST_CASE("lists that are updated in a part of the time only") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    facts.outermost.steps.erase(facts.outermost.steps.end() - 2);  // the sort
-    facts.outermost.steps.back() = {limited(lines.neighbors, {}, 1.0)};
+    facts.plan.outermost.steps.erase(facts.plan.outermost.steps.end() - 2);  // the sort
+    facts.plan.outermost.steps.back() = {limited(lines.neighbors, {}, 1.0)};
     CHECK(found(facts) ==
           Messages{"22 error pressure_relaxation.first_half moves water, but at times from 1 no "
                    "line of the loop updates the neighbors of water: call neighbors after it"});
-    facts.outermost.steps.push_back({limited(lines.neighbors, 1.0, {})});
+    facts.plan.outermost.steps.push_back({limited(lines.neighbors, 1.0, {})});
     CHECK(found(facts).empty());
 }
 
 TEST_CASE("an acceleration may be added in a part of the time") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    facts.outermost.steps[1] = {limited(lines.gravity, 1.0, 2.0)};
+    facts.plan.outermost.steps[1] = {limited(lines.gravity, 1.0, 2.0)};
     CHECK(found(facts).empty());
     SECTION("also where nothing reads it for a while") {
-        LayerFacts& acoustic = std::get<LayerFacts>(facts.outermost.steps[2].value);
+        Layer& acoustic = std::get<Layer>(facts.plan.outermost.steps[2].value);
         acoustic.steps = {{limited(lines.first_half, {}, 1.5)},
                           {limited(lines.second_half, {}, 1.5)}};
         CHECK(found(facts).empty());
     }
     SECTION("but not where nothing reads it then") {
-        LayerFacts& acoustic = std::get<LayerFacts>(facts.outermost.steps[2].value);
+        Layer& acoustic = std::get<Layer>(facts.plan.outermost.steps[2].value);
         acoustic.steps = {{limited(lines.first_half, {}, 1.0)},
                           {limited(lines.second_half, {}, 1.0)}};
         CHECK(found(facts).size() == 1);
@@ -146,8 +147,8 @@ TEST_CASE("an acceleration may be added in a part of the time") {
 TEST_CASE("a field that is read in a part of the time only is live in all of it") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    facts.start.push_back({3, "mark", {write("wall", "mark")}, {}, false});
-    const LineFacts look{15, "look", {read("wall", "mark")}, {}, false};
-    facts.outermost.steps.push_back({limited(look, 1.0, 2.0)});
+    facts.plan.start.push_back(line(3, "mark", {write("wall", "mark")}));
+    const Call look = line(15, "look", {read("wall", "mark")});
+    facts.plan.outermost.steps.push_back({limited(look, 1.0, 2.0)});
     CHECK(liveFields(facts).at("wall").count("mark") == 1);
 }

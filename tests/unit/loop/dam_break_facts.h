@@ -20,42 +20,49 @@ inline FieldAccess add(std::string body, std::string field) {
     return {AccessMode::accumulate, std::move(body), std::move(field)};
 }
 
+inline const Trigger now_and_then{Trigger::Kind::steps, 100, ""};
+
+/// A line as its declaration describes it.
+inline Call line(int id, std::string label, std::vector<FieldAccess> accesses,
+                 std::vector<std::string> permutes = {}, bool sometimes = false) {
+    Call call{{std::move(label), id, std::move(accesses), std::move(permutes)}};
+    if (sometimes) call.every = now_and_then;
+    return call;
+}
+inline TimeStep estimate(int id, std::string label, std::vector<FieldAccess> accesses) {
+    return {{std::move(label), id, std::move(accesses)}};
+}
+inline Layer layer(int id, std::string name, std::vector<TimeStep> dt, std::vector<Step> steps,
+                   Fit fit = Fit::split) {
+    return {std::move(name), std::move(dt), {}, fit, std::move(steps), id};
+}
+
 /// The declarations of a dam break, line by line; ids as in case files, top to bottom.
 struct DamBreak {
-    LineFacts start_neighbors{1, "neighbors", {write("water", "neighbors")}, {}, false};
-    LineFacts normals{2, "wall_normals", {write("wall", "normal")}, {}, false};
-    LineFacts advection_dt{11, "advection_dt", {read("water", "velocity")}, {}, false};
-    LineFacts density{12,
-                      "density_summation",
-                      {read("water", "fresh_neighbors"), read("water", "mass"),
-                       read("water", "density"), write("water", "density")},
-                      {},
-                      false};
-    LineFacts gravity{13, "gravity", {add("water", "external_acceleration")}, {}, false};
-    LineFacts acoustic_dt{21, "acoustic_dt", {read("water", "velocity")}, {}, false};
-    LineFacts first_half{
-        22,
-        "pressure_relaxation.first_half",
-        {read("water", "neighbors"), read("water", "density"), read("water", "density_rate"),
-         read("water", "mass"), read("water", "external_acceleration"), read("wall", "normal"),
-         read("water", "position"), read("water", "velocity"), write("water", "density"),
-         write("water", "pressure"), write("water", "position"), write("water", "velocity")},
-        {},
-        false};
-    LineFacts second_half{
-        23,
-        "pressure_relaxation.second_half",
-        {read("water", "neighbors"), read("water", "pressure"), read("water", "density"),
-         read("water", "position"), read("water", "velocity"), write("water", "density_rate"),
-         write("water", "density"), write("water", "position")},
-        {},
-        false};
-    LineFacts sort{31, "sort", {}, {"water"}, true};
-    LineFacts neighbors{32, "neighbors", {write("water", "neighbors")}, {}, false};
-    LineFacts fields{41, "fields", {read("water", "pressure"), read("wall", "normal")}, {}, true};
+    Call start_neighbors = line(1, "neighbors", {write("water", "neighbors")});
+    Call normals = line(2, "wall_normals", {write("wall", "normal")});
+    TimeStep advection_dt = estimate(11, "advection_dt", {read("water", "velocity")});
+    Call density = line(12, "density_summation",
+                        {read("water", "fresh_neighbors"), read("water", "mass"),
+                         read("water", "density"), write("water", "density")});
+    Call gravity = line(13, "gravity", {add("water", "external_acceleration")});
+    TimeStep acoustic_dt = estimate(21, "acoustic_dt", {read("water", "velocity")});
+    Call first_half =
+        line(22, "pressure_relaxation.first_half",
+             {read("water", "neighbors"), read("water", "density"), read("water", "density_rate"),
+              read("water", "mass"), read("water", "external_acceleration"), read("wall", "normal"),
+              read("water", "position"), read("water", "velocity"), write("water", "density"),
+              write("water", "pressure"), write("water", "position"), write("water", "velocity")});
+    Call second_half =
+        line(23, "pressure_relaxation.second_half",
+             {read("water", "neighbors"), read("water", "pressure"), read("water", "density"),
+              read("water", "position"), read("water", "velocity"), write("water", "density_rate"),
+              write("water", "density"), write("water", "position")});
+    Call sort = line(31, "sort", {}, {"water"}, true);
+    Call neighbors = line(32, "neighbors", {write("water", "neighbors")});
 
-    LayerFacts acoustic() const {
-        return {20, "acoustic", Fit::split, {acoustic_dt}, false, {{first_half}, {second_half}}};
+    Layer acoustic() const {
+        return layer(20, "acoustic", {acoustic_dt}, {{first_half}, {second_half}});
     }
     LoopFacts facts() const {
         LoopFacts facts;
@@ -63,14 +70,17 @@ struct DamBreak {
             {"water", true, {"velocity", "mass", "density", "density_rate", "pressure"}},
             {"wall", false, {"mass"}}};
         facts.lists = {{"water", "water", false}, {"water", "wall", false}};
-        facts.start = {start_neighbors, normals};
-        facts.outermost = {10,         "advection",
-                           Fit::split, {advection_dt},
-                           false,      {{density}, {gravity}, {acoustic()}, {sort}, {neighbors}}};
-        facts.outputs = {fields};
+        facts.plan.start = {start_neighbors, normals};
+        facts.plan.outermost = layer(10, "advection", {advection_dt},
+                                     {{density}, {gravity}, {acoustic()}, {sort}, {neighbors}});
         return facts;
     }
 };
+
+/// A last line of the loop, which only looks, now and then.
+inline void look(LoopFacts& facts, FieldAccess access) {
+    facts.plan.outermost.steps.push_back({line(41, "look", {std::move(access)}, {}, true)});
+}
 
 /// "id severity message" of each issue.
 inline std::vector<std::string> found(const LoopFacts& facts) {

@@ -95,12 +95,17 @@ class RecordingOutput : public Output {
 using test::MemoryArchive;
 using test::Saved;
 
+inline Call acting(std::string label, Method& method, std::optional<Trigger> every = {},
+                   Window window = {}) {
+    return {{std::move(label), 0, {}, {}, std::move(every), window}, &method, runOf};
+}
+
 inline Step call(std::string label, Method& method, ActionCall action = runOf) {
-    return {Call{std::move(label), &method, action, {}}};
+    return {Call{{std::move(label)}, &method, action}};
 }
 
 inline Step every(std::string label, Method& method, Trigger trigger) {
-    return {Call{std::move(label), &method, runOf, std::move(trigger)}};
+    return {acting(std::move(label), method, std::move(trigger))};
 }
 
 inline Layer fixedLayer(std::string name, double dt, std::vector<Step> steps,

@@ -57,7 +57,7 @@ TEST_CASE("dt is evaluated once at the start of each substep") {
         journal.push_back({"dt", 0, next, 0});
         return std::exchange(next, next / 2);
     });
-    Layer inner{"inner", {{"shrinking", &shrinking}}, {}, Fit::clip, {call("act", act)}};
+    Layer inner{"inner", {{{"shrinking"}, &shrinking}}, {}, Fit::clip, {call("act", act)}};
     const Layer outer = fixedLayer("outer", 0.4375, {{inner}});
     LayerRun run(outer, 0);
     run.stepFreely();
@@ -75,7 +75,7 @@ TEST_CASE("split evaluates its parts anew from what remains") {
     Recorder act("act", journal);
     double next = 0.5;
     Estimate estimate([&] { return std::exchange(next, 0.2); });
-    Layer inner{"inner", {{"estimate", &estimate}}, {}, Fit::split, {call("act", act)}};
+    Layer inner{"inner", {{{"estimate"}, &estimate}}, {}, Fit::split, {call("act", act)}};
     const Layer outer = fixedLayer("outer", 1.0, {{inner}});
     LayerRun run(outer, 0);
     run.stepFreely();
@@ -91,9 +91,9 @@ TEST_CASE("nested layers end at their parent's time, bitwise") {
     double wobble = 0;
     Estimate irregular([&] { return 0.0137 * (1.1 + std::sin(wobble += 0.7)); });
     for (const Fit fit : {Fit::split, Fit::clip}) {
-        Layer innermost{"innermost", {{"dt", &irregular}}, 0.003, fit, {call("act", act)}};
-        Layer middle{"middle", {{"dt", &irregular}}, {}, fit, {{innermost}}};
-        const Layer outer{"outer", {{"dt", &irregular}}, {}, Fit::split, {{middle}}};
+        Layer innermost{"innermost", {{{"dt"}, &irregular}}, 0.003, fit, {call("act", act)}};
+        Layer middle{"middle", {{{"dt"}, &irregular}}, {}, fit, {{innermost}}};
+        const Layer outer{"outer", {{{"dt"}, &irregular}}, {}, Fit::split, {{middle}}};
         LayerRun run(outer, 0.1);
         for (int k = 0; k < 200; ++k) {
             run.stepFreely();
@@ -136,7 +136,7 @@ TEST_CASE("overshoot passes through two layers") {
 
 TEST_CASE("the smallest estimate of a list counts, with the fixed one") {
     Estimate large([] { return 0.5; }), small([] { return 0.25; });
-    Layer layer{"only", {{"large", &large}, {"small", &small}}, {}, Fit::split, {}};
+    Layer layer{"only", {{{"large"}, &large}, {{"small"}, &small}}, {}, Fit::split, {}};
     LayerRun run(layer, 0);
     run.stepFreely();
     CHECK(run.clock().dt == 0.25);
@@ -150,7 +150,7 @@ TEST_CASE("a time step that is no positive number names method, layer and time")
     const double bad = GENERATE(0.0, -1.0, std::numeric_limits<double>::infinity());
     double next = 0.5;
     Estimate estimate([&] { return std::exchange(next, bad); });
-    const Layer layer{"acoustic", {{"acoustic_dt", &estimate}}, {}, Fit::split, {}};
+    const Layer layer{"acoustic", {{{"acoustic_dt"}, &estimate}}, {}, Fit::split, {}};
     LayerRun run(layer, 2);
     run.stepFreely();
     const std::string number = bad == 0 ? "0" : bad < 0 ? "-1" : "inf";
@@ -160,7 +160,7 @@ TEST_CASE("a time step that is no positive number names method, layer and time")
 
 TEST_CASE("a NaN time step is a failure of the physics, in inner layers too") {
     Estimate estimate([] { return std::numeric_limits<double>::quiet_NaN(); });
-    const Layer inner{"inner", {{"acoustic_dt", &estimate}}, {}, Fit::split, {}};
+    const Layer inner{"inner", {{{"acoustic_dt"}, &estimate}}, {}, Fit::split, {}};
     const Layer outer = fixedLayer("outer", 1, {{inner}});
     LayerRun run(outer, 0);
     CHECK_THROWS_AS(run.stepFreely(), PhysicsError);
@@ -168,7 +168,7 @@ TEST_CASE("a NaN time step is a failure of the physics, in inner layers too") {
 
 TEST_CASE("a time step below the resolution of the time is a failure") {
     Estimate estimate([] { return 1e-18; });
-    const Layer inner{"inner", {{"dt", &estimate}}, {}, Fit::split, {}};
+    const Layer inner{"inner", {{{"dt"}, &estimate}}, {}, Fit::split, {}};
     const Layer outer = fixedLayer("outer", 1, {{inner}});
     LayerRun run(outer, 100);
     CHECK_THROWS_WITH(run.stepFreely(), Catch::Contains("too small to advance the time"));

@@ -26,40 +26,40 @@ TEST_CASE("velocity belongs to the restart of every body that has one") {
     CHECK(liveFields(facts).at("wall").count("velocity") == 1);
 }
 
-TEST_CASE("what only outputs read is live when the loop does not write it") {
+TEST_CASE("what is read now and then is live when the loop does not write it") {
     LoopFacts facts = DamBreak().facts();
-    facts.start.push_back({3, "mark", {write("wall", "color")}, {}, false});
+    facts.plan.start.push_back(line(3, "mark", {write("wall", "color")}));
     CHECK(liveFields(facts).at("wall").count("color") == 0);
-    facts.outputs[0].accesses.push_back(read("wall", "color"));
+    look(facts, read("wall", "color"));
     CHECK(liveFields(facts).at("wall").count("color") == 1);
 }
 
 TEST_CASE("a write under every does not end the life of a field") {
     DamBreak lines;
     LoopFacts facts = lines.facts();
-    LineFacts turn{5, "turn", {write("wall", "normal")}, {}, true};
-    facts.outermost.steps.insert(facts.outermost.steps.begin(), {turn});
+    Call turn = line(5, "turn", {write("wall", "normal")}, {}, true);
+    facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin(), {turn});
     CHECK(liveFields(facts).at("wall").count("normal") == 1);
-    turn.sometimes = false;
-    facts.outermost.steps[0] = {turn};
+    turn.every = {};
+    facts.plan.outermost.steps[0] = {turn};
     CHECK(liveFields(facts).at("wall").count("normal") == 0);
 }
 
 TEST_CASE("an accumulated field that is read before it is zeroed is live") {
     LoopFacts facts = DamBreak().facts();
     facts.bodies[0].initial.push_back("external_acceleration");
-    LineFacts look{5, "look", {read("water", "external_acceleration")}, {}, false};
-    facts.outermost.steps.insert(facts.outermost.steps.begin(), {look});
+    Call look = line(5, "look", {read("water", "external_acceleration")});
+    facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin(), {look});
     CHECK(liveFields(facts).at("water").count("external_acceleration") == 1);
 }
 
 TEST_CASE("a value carried within an inner layer only is not live") {
     LoopFacts facts = DamBreak().facts();
-    const LineFacts begin{5, "begin", {write("water", "mean")}, {}, false};
-    const LineFacts sum{6, "sum", {read("water", "mean"), write("water", "mean")}, {}, false};
-    facts.outermost.steps.insert(facts.outermost.steps.begin(), {begin});
-    std::get<LayerFacts>(facts.outermost.steps[3].value).steps.push_back({sum});
+    const Call begin = line(5, "begin", {write("water", "mean")});
+    const Call sum = line(6, "sum", {read("water", "mean"), write("water", "mean")});
+    facts.plan.outermost.steps.insert(facts.plan.outermost.steps.begin(), {begin});
+    std::get<Layer>(facts.plan.outermost.steps[3].value).steps.push_back({sum});
     CHECK(liveFields(facts).at("water").count("mean") == 0);
-    facts.outermost.steps.erase(facts.outermost.steps.begin());
+    facts.plan.outermost.steps.erase(facts.plan.outermost.steps.begin());
     CHECK(liveFields(facts).at("water").count("mean") == 1);
 }

@@ -61,8 +61,8 @@ TEST_CASE("the profile has the shape of the loop, and its times add up") {
     output.on_write = [] { sleepFor(300); };
     Plan plan;
     plan.end_time = 5;
-    plan.start = {Call{"lists", &short_call, runOf, {}}};
-    const Layer inner{"inner", {{"inner_dt", &dt}}, {}, Fit::split, {call("long", long_call)}};
+    plan.start = {acting("lists", short_call)};
+    const Layer inner{"inner", {{{"inner_dt"}, &dt}}, {}, Fit::split, {call("long", long_call)}};
     plan.outermost = fixedLayer(
         "outer", 1, {call("short", short_call), {inner}, every("rare", short_call, eachSteps(2))});
     plan.outputs = {{"frames", "vtu", &output, eachSteps(1), false}};

@@ -48,23 +48,23 @@ struct Run {
 
     void build(double end_time) {
         Layer inner{"inner",
-                    {{"small", &small}},
+                    {{{"small"}, &small}},
                     {},
                     Fit::clip,
                     {call("kick", kick),
                      every("remesh", remesh, eachSteps(7, "inner")),
-                     {Call{"extra kick", &kick, runOf, {}, {0.7, 2.2}}},
-                     {Call{"remesh late", &remesh, runOf, eachTime(0.05), {1.1, {}}}}}};
+                     {acting("extra kick", kick, {}, {0.7, 2.2})},
+                     {acting("remesh late", remesh, eachTime(0.05), {1.1, {}})}}};
         Layer middle_layer{"middle",
-                           {{"middle", &middle}},
+                           {{{"middle"}, &middle}},
                            {},
                            Fit::split,
                            {{inner}, every("remesh", remesh, eachTime(0.1))}};
         Plan plan;
         plan.end_time = end_time;
-        plan.start = {Call{"start", &start, runOf, {}}};
+        plan.start = {acting("start", start)};
         plan.outermost = {"outer",
-                          {{"large", &large}},
+                          {{{"large"}, &large}},
                           {},
                           Fit::split,
                           {{middle_layer}, every("sort", sort, eachSteps(3))}};

@@ -64,7 +64,7 @@ TEST_CASE("start calls run once, before the first frame") {
     Plan plan;
     plan.start_time = 2;
     plan.end_time = 3;
-    plan.start = {Call{"lists", &lists, runOf, {}}};
+    plan.start = {acting("lists", lists)};
     plan.outermost = fixedLayer("outer", 1, {});
     plan.outputs = {frames.entry({})};
     Runner runner(plan);
@@ -249,7 +249,7 @@ TEST_CASE("calls of the start know that there is no step yet") {
     Acting act([&](const Clock& clock) { starts.push_back(clock.is_start); });
     Plan plan;
     plan.end_time = 2;
-    plan.start = {Call{"act", &act, runOf, {}}};
+    plan.start = {acting("act", act)};
     plan.outermost = fixedLayer("outer", 1, {call("act", act)});
     runAll(Runner(plan), go_on);
     CHECK(starts == std::vector<bool>{true, false, false});
@@ -285,17 +285,17 @@ TEST_CASE("plans that cannot run are refused") {
         CHECK(message() == "loop: two layers are called outer");
     }
     SECTION("no method") {
-        plan.start = {Call{"lists", nullptr, runOf, {}}};
+        plan.start = {Call{{"lists"}, nullptr, runOf}};
         CHECK(message() == "loop: lists has no method");
     }
     SECTION("a start call under every") {
-        plan.start = {Call{"lists", &method, runOf, eachSteps(2)}};
+        plan.start = {acting("lists", method, eachSteps(2))};
         CHECK(message() == "loop: lists: a start call runs once");
-        plan.start = {Call{"lists", &method, runOf, {}, {{}, 1.0}}};
+        plan.start = {acting("lists", method, {}, {{}, 1.0})};
         CHECK(message() == "loop: lists: a start call runs once");
     }
     SECTION("a window without an inside") {
-        plan.outermost.steps.push_back({Call{"lists", &method, runOf, {}, {1.0, 1.0}}});
+        plan.outermost.steps.push_back({acting("lists", method, {}, {1.0, 1.0})});
         CHECK(message() == "loop: lists: the end of its time must be above the start");
     }
     SECTION("steps that are no whole number") {

@@ -16,7 +16,7 @@ namespace {
 
 Step limited(std::string label, Method& method, std::optional<double> from,
              std::optional<double> until, std::optional<Trigger> trigger = {}) {
-    return {Call{std::move(label), &method, runOf, std::move(trigger), {from, until}}};
+    return {acting(std::move(label), method, std::move(trigger), {from, until})};
 }
 
 /// Numbers of the substeps in which the method of that name acted.
@@ -71,7 +71,7 @@ TEST_CASE("two calls that share the time act once each substep, whatever the ste
     double wobble = 0;
     Estimate irregular([&] { return 0.0137 * (1.1 + std::sin(wobble += 0.7)); });
     const Layer inner{"inner",
-                      {{"dt", &irregular}},
+                      {{{"dt"}, &irregular}},
                       {},
                       Fit::split,
                       {limited("first", first, {}, 1.0), limited("second", second, 1.0, {}),
@@ -144,7 +144,7 @@ TEST_CASE("a method rests once, at the begin of the first step after its window"
     Resting mid("mid", journal), other("other", journal), never("never", journal);
     Recorder first("first", journal);
     const Layer outer = fixedLayer("outer", 0.25,
-                                   {{Call{"first", &first, runOf, {}}},
+                                   {{acting("first", first)},
                                     limited("mid", mid, 0.25, 0.75),
                                     limited("other", other, 0.5, {}),
                                     limited("never", never, 0.1, 0.2)});

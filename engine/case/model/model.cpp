@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "case/model/model.h"
+
+#include <cmath>
+
+namespace sphinx::model {
+
+std::pair<std::string, std::string> splitAction(const std::string& text) {
+    const auto dot = text.find('.');
+    if (dot == std::string::npos) return {text, ""};
+    return {text.substr(0, dot), text.substr(dot + 1)};
+}
+
+double Body::spacing(const Resolution& reference) const {
+    return resolution.spacing ? *resolution.spacing
+                              : std::ldexp(reference.spacing, -resolution.level);
+}
+
+double Body::smoothingRatio(const Resolution& reference) const {
+    return resolution.smoothing_ratio.value_or(reference.smoothing_ratio);
+}
+
+namespace {
+template <class Entries>
+auto findByName(const Entries& entries, std::string_view name) -> decltype(entries.data()) {
+    for (const auto& entry : entries)
+        if (entry.name == name) return &entry;
+    return nullptr;
+}
+
+bool callsIn(const std::vector<Step>& steps, std::string_view method);
+bool callsIn(const Layer& layer, std::string_view method) {
+    for (const Name& name : layer.dt.methods)
+        if (name.text == method) return true;
+    return callsIn(layer.steps, method);
+}
+bool callsIn(const std::vector<Step>& steps, std::string_view method) {
+    for (const Step& step : steps)
+        if (step.layer ? callsIn(*step.layer, method) : step.method() == method) return true;
+    return false;
+}
+}  // namespace
+
+const Shape* Case::findShape(std::string_view name) const { return findByName(shapes, name); }
+const Body* Case::findBody(std::string_view name) const { return findByName(bodies, name); }
+const Component* Case::findMaterial(std::string_view name) const {
+    return findByName(materials, name);
+}
+const Component* Case::findMethod(std::string_view name) const {
+    return findByName(dynamics, name);
+}
+
+bool Case::calls(std::string_view method) const {
+    return callsIn(loop.start, method) || callsIn(loop, method);
+}
+
+const std::vector<Contact>& Case::seenBy(std::string_view body) const {
+    static const std::vector<Contact> nothing;
+    for (const Sight& sight : topology)
+        if (sight.body.text == body) return sight.sees;
+    return nothing;
+}
+
+}  // namespace sphinx::model
