@@ -2,39 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bodies/new_particles.h"
 
-#include "../dynamics/expression.h"
+#include "../scene/bodies.h"
+#include "../scene/expression.h"
 #include "materials/fluid_laws.h"
 #include "materials/holzapfel_muscle.h"
-#include "materials/saint_venant_kirchhoff.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 
 using namespace sphinx;
+using namespace sphinx::test;
 
 namespace {
-
-constexpr double density = 2;
-constexpr double sound_speed = 10;
-
-template <int Dim>
-void makeWater(Body<Dim>& body, EquationOfState equation = EquationOfState::linear) {
-    WeaklyCompressibleFluidParameters p;
-    p.density = density;
-    p.sound_speed = sound_speed;
-    p.equation_of_state = equation;
-    body.role = FluidRole<Dim>{makeFluid(p)};
-}
-
-template <int Dim>
-void makeRubber(Body<Dim>& body) {
-    IsotropicParameters p;
-    p.density = density;
-    p.youngs_modulus = 1000;
-    p.poisson_ratio = 0.3;
-    body.role = ElasticRole<Dim>{std::make_shared<SaintVenantKirchhoff>(p)};
-}
 
 template <int Dim>
 NewParticle<Dim> particle(const Vec<Dim>& position, double volume,
@@ -62,8 +42,12 @@ using Names = std::vector<std::string_view>;
 TEMPLATE_TEST_CASE_SIG("a particle of a fluid made in the midst of a run", "", ((int Dim), Dim), 2,
                        3) {
     const auto equation = GENERATE(EquationOfState::linear, EquationOfState::tait);
-    Body<Dim> water;
-    makeWater(water, equation);
+    WeaklyCompressibleFluidParameters of_water;
+    of_water.density = density;
+    of_water.sound_speed = sound_speed;
+    of_water.equation_of_state = equation;
+    Bodies<Dim> bodies;
+    Body<Dim>& water = bodies.add("water", FluidRole<Dim>{makeFluid(of_water)});
     addParticles(water, {particle<Dim>(Vec<Dim>::Constant(1), 0.25)});
     // Fields of methods, and what has become of the particle since.
     ParticleSet<Dim>& p = water.particles;
@@ -101,27 +85,24 @@ TEMPLATE_TEST_CASE_SIG("a particle of a fluid made in the midst of a run", "", (
 }
 
 TEST_CASE("a body has the fields of its kind, whether it has particles or not") {
-    Body<2> body;
+    Bodies<2> bodies;
     SECTION("fluid") {
-        makeWater(body);
-        addParticles(body, {});
+        const Body<2>& body = bodies.fluid("water", {});
         CHECK(namesOf(body.particles) ==
               Names{"density", "id", "mass", "position", "pressure", "velocity", "volume"});
     }
     SECTION("wall") {
-        body.role = WallRole{std::make_shared<Rigid>(density)};
-        addParticles(body, {});
+        const Body<2>& body = bodies.wall("wall", {});
         CHECK(namesOf(body.particles) ==
               Names{"acceleration", "density", "id", "mass", "position", "velocity", "volume"});
     }
     SECTION("elastic") {
-        makeRubber(body);
-        addParticles(body, {});
+        const Body<2>& body = bodies.elastic("gate", {});
         CHECK(namesOf(body.particles) == Names{"acceleration", "density", "id", "initial_position",
                                                "mass", "position", "velocity", "volume"});
     }
     SECTION("observer") {
-        addParticles(body, {particle<2>(Vec<2>(1, 2), 0)});
+        const Body<2>& body = bodies.observer({Vec<2>(1, 2)}, {});
         CHECK(namesOf(body.particles) == Names{"id", "position"});
         CHECK(body.particles.position()[0] == Vec<2>(1, 2));
     }
@@ -131,9 +112,9 @@ TEST_CASE("a particle of muscle has the directions of its place") {
     HolzapfelMuscleParameters p;
     p.density = density;
     p.a = p.b = p.lame_lambda = 1;
-    p.fibre = test::expressions({"y", "x"}, unit::none);
-    Body<2> body;
-    body.role = ElasticRole<2>{std::make_shared<HolzapfelMuscle>(p)};
+    p.fibre = expressions({"y", "x"}, unit::none);
+    Bodies<2> bodies;
+    Body<2>& body = bodies.add("muscle", ElasticRole<2>{std::make_shared<HolzapfelMuscle>(p)});
     addParticles(body, {particle<2>(Vec<2>(0, 2), 1), particle<2>(Vec<2>(4, 3), 1)});
     CHECK(body.particles.vector(fields::fibre)[0] == Vec<2>(1, 0));
     CHECK(body.particles.vector(fields::fibre)[1].isApprox(Vec<2>(0.6, 0.8)));
@@ -141,9 +122,9 @@ TEST_CASE("a particle of muscle has the directions of its place") {
 }
 
 TEST_CASE("parts of a body follow its particles") {
-    Body<2> body;
-    makeRubber(body);
-    body.spacing = 1;
+    Bodies<2> bodies;
+    bodies.spacing = 1;
+    Body<2>& body = bodies.elastic("gate", {});
     body.parts.push_back({"left", {}, geometry::makeBox<2>(Vec<2>(-10, -10), Vec<2>(1.2, 10))});
     body.elastic().clamps = {&body.parts[0]};
     std::vector<NewParticle<2>> row;

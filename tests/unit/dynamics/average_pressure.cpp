@@ -1,26 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/fluid/average_pressure.h"
-#include "fluid.h"
+#include "../scene/scene.h"
 
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
-using sphinx::test::filled;
-using sphinx::test::FluidScene;
+using namespace sphinx::test;
 
 TEMPLATE_TEST_CASE_SIG("mean of the pressure over the substeps of an interval", "",
                        ((int Dim), Dim), 2, 3) {
-    constexpr double spacing = FluidScene<Dim>::spacing;
-    FluidScene<Dim> scene(filled<Dim>(Vec<Dim>::Zero(), Vec<Dim>::Constant(2 * spacing), spacing));
-    auto& particles = scene.water->particles;
+    Scene<Dim> scene;
+    Body<Dim>& water = scene.fluid("water", scene.lattice(2));
+    auto& particles = water.particles;
     auto& pressure = particles.scalar(fields::pressure);
     const auto setPressure = [&](double scale) {
         for (std::size_t i = 0; i < particles.size(); ++i)
             pressure[i] = scale * static_cast<double>(i + 1);
     };
     setPressure(7);
-    fluid::AveragePressure<Dim> average(*scene.water);
+    fluid::AveragePressure<Dim> average(water);
     auto& mean = particles.scalar(fields::average_pressure);
     const auto isTimes = [&](double scale) {
         for (std::size_t i = 0; i < particles.size(); ++i)

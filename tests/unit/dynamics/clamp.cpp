@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/constraint/clamp.h"
 
+#include "../scene/stepper.h"
 #include "dynamics/force/gravity.h"
 #include "dynamics/solid/acoustic_time_step.h"
 #include "dynamics/solid/internal_energy.h"
-#include "stepper.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,16 +20,16 @@ namespace {
 template <int Dim>
 struct Clamped {
     const double depth;
-    ElasticScene<Dim> scene;
+    Scene<Dim> scene;
     Body<Dim>& body;
     constraint::Clamp<Dim> clamp;
     Stepper<Dim> stepper;
 
     explicit Clamped(double jitter, double damping = 0, double shift = 0)
         : depth((3 + shift) * spacing),
-          body(scene.add("block", scene.lattice(blockSize(), jitter), damping)),
+          body(scene.elastic("block", scene.lattice(blockSize(), jitter), {.damping = damping})),
           clamp(scene.context, base(body)),
-          stepper(scene.context, body, {&clamp}) {}
+          stepper(scene, body, {&clamp}) {}
 
     static std::array<int, Dim> blockSize() {
         std::array<int, Dim> n;
@@ -42,7 +42,7 @@ struct Clamped {
         Vec<Dim> upper = Vec<Dim>::Constant(10);
         upper[0] = depth;
         whole.parts.back().shape = geometry::makeBox<Dim>(Vec<Dim>::Constant(-10), upper);
-        return Part<Dim>(scene.world, {"block.base", {}});
+        return scene.part("block.base");
     }
     Field<Vec<Dim>>& vectors(const FieldInfo& info) { return body.particles.vector(info); }
     /// Velocities of all that are no images; the images follow.
@@ -170,15 +170,15 @@ TEST_CASE("what a clamp covers whole has no say in the time step") {
 }
 
 TEST_CASE("images stand behind the surface of the clamp, in its corners behind both") {
-    ElasticScene<2> scene;
-    Body<2>& body = scene.add("block", scene.lattice({8, 8}));
+    Scene<2> scene;
+    Body<2>& body = scene.elastic("block", scene.lattice(8));
     const double depth = 3 * spacing;
     const geometry::ShapePointer<2> rest =
         geometry::makeBox<2>(Vec<2>::Constant(depth), Vec<2>::Constant(6 * spacing));
     scene.addPart(body, "frame", [&](const Vec<2>& R) { return !rest->contains(R); });
     body.parts.back().shape = geometry::makeDifference<2>(
         {geometry::makeBox<2>(Vec<2>::Constant(-10), Vec<2>::Constant(10)), rest});
-    const Part<2> frame(scene.world, {"block.frame", {}});
+    const Part<2> frame = scene.part("block.frame");
     constraint::Clamp<2> clamp(scene.context, frame);
     clamp.announce();
     findShares(body);

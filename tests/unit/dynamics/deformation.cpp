@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/solid/deformation.h"
 
+#include "../scene/scene.h"
 #include "dynamics/solid/internal_energy.h"
 #include "dynamics/solid/update_normals.h"
-#include "elastic.h"
 
 #include <catch2/catch.hpp>
 
@@ -19,15 +19,25 @@ namespace {
 
 constexpr double exact = 1e-10;
 
-/// A patch whose deformation can be asked for.
+/// Disordered, and its deformation can be asked for: one body, or the same cut in the middle into
+/// two that are bonded.
 template <int Dim>
 struct Patch {
-    ElasticScene<Dim> scene;
+    Scene<Dim> scene;
     std::vector<Body<Dim>*> bodies;
     std::deque<solid::Deformation<Dim>> deformations;
 
-    explicit Patch(bool bonded, bool hourglass_control = true, double damping = 0)
-        : bodies(scene.patch(bonded, damping)) {
+    explicit Patch(bool bonded, bool hourglass_control = true, double damping = 0) {
+        const int n = Dim == 2 ? 10 : 6;
+        std::vector<Vec<Dim>> left, right;
+        for (const Vec<Dim>& x : scene.lattice(n, 0.2))
+            (bonded && x[0] > 0.5 * spacing * n ? right : left).push_back(x);
+        bodies.push_back(&scene.elastic("left", left, {.damping = damping}));
+        if (bonded) {
+            bodies.push_back(&scene.elastic("right", right, {.damping = damping}));
+            bodies[0]->bonded = {bodies[1]};
+            bodies[1]->bonded = {bodies[0]};
+        }
         for (Body<Dim>* body : bodies)
             deformations.emplace_back(scene.context, *body, hourglass_control);
         for (auto& deformation : deformations) deformation.announce();

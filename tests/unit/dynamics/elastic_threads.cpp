@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "../scene/stepper.h"
 #include "core/parallel.h"
-#include "stepper.h"
 
 #include <catch2/catch.hpp>
 
@@ -17,14 +17,13 @@ namespace {
 template <int Dim>
 std::vector<double> moved(int threads) {
     setThreadCount(threads);
-    ElasticScene<Dim> scene;
-    std::array<int, Dim> n;
-    n.fill(Dim == 2 ? 40 : 12);
-    Body<Dim>& body = scene.add("block", scene.lattice(n, 0.2), 0.01);
+    Scene<Dim> scene;
+    Body<Dim>& body =
+        scene.elastic("block", scene.lattice(Dim == 2 ? 40 : 12, 0.2), {.damping = 0.01});
     ParticleSet<Dim>& p = body.particles;
     for (std::size_t i = 0; i < body.size(); ++i)
         p.vector(fields::velocity)[i] = scene.random.template vector<Dim>(1);
-    Stepper<Dim> stepper(scene.context, body);
+    Stepper<Dim> stepper(scene, body);
     for (int step = 0; step < 5; ++step) stepper.step(1e-4, {});
     setThreadCount(1);
     const double* x = p.position()[0].data();

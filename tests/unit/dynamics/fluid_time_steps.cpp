@@ -1,27 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "../scene/scene.h"
 #include "dynamics/fluid/acoustic_time_step.h"
 #include "dynamics/fluid/advection_time_step.h"
-#include "fluid.h"
 
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
 using namespace sphinx::fluid;
-using sphinx::test::FluidScene;
+using namespace sphinx::test;
 
 namespace {
 
 /// Of a hundred particles one has the speed 5 and the others that of 1.
 template <int Dim>
-struct Moving : FluidScene<Dim> {
+struct Moving : Scene<Dim> {
     explicit Moving(double viscosity)
-        : FluidScene<Dim>(std::vector<Vec<Dim>>(100, Vec<Dim>::Zero()), viscosity) {
+        : water(this->fluid("water", std::vector<Vec<Dim>>(100, Vec<Dim>::Zero()),
+                            {.viscosity = viscosity})) {
         for (int i = 0; i < 100; ++i) velocity[i] = Vec<Dim>::Unit(i % Dim);
         velocity[42].setZero();
         velocity[42].template tail<2>() = Vec<2>(3, -4);
     }
-    Field<Vec<Dim>>& velocity = this->water->particles.vector(fields::velocity);
+    Body<Dim>& water;
+    Field<Vec<Dim>>& velocity = water.particles.vector(fields::velocity);
 };
 
 }  // namespace
@@ -29,25 +31,23 @@ struct Moving : FluidScene<Dim> {
 TEMPLATE_TEST_CASE_SIG("acoustic time step of a fluid, guide (53)", "", ((int Dim), Dim), 2, 3) {
     CHECK(AcousticTimeStepParameters{}.cfl == 0.6);
     Moving<Dim> scene(0.3);
-    AcousticTimeStep<Dim> step(*scene.water, 0.6);
-    const double h = scene.smoothing_length;
+    AcousticTimeStep<Dim> step(scene.water, 0.6);
+    const double h = scene.water.kernel.smoothingLength();
     CHECK(step.estimate() == Approx(0.6 * h / (10 + 5)).epsilon(1e-14));
     scene.velocity.setZero();
     CHECK(step.estimate() == Approx(0.6 * h / 10).epsilon(1e-14));
-    AcousticTimeStep<Dim> half(*scene.water, 0.3);
+    AcousticTimeStep<Dim> half(scene.water, 0.3);
     CHECK(half.estimate() == Approx(0.3 * h / 10).epsilon(1e-14));
 }
 
 TEMPLATE_TEST_CASE_SIG("advection time step, guide (52)", "", ((int Dim), Dim), 2, 3) {
     CHECK(AdvectionTimeStepParameters{}.cfl == 0.25);
-    const double h = FluidScene<Dim>::smoothing_length;
-    const double density = FluidScene<Dim>::density;
-
     // Inviscid: by the largest speed, and by that of reference where it is larger.
     Moving<Dim> inviscid(0);
-    AdvectionTimeStep<Dim> step(*inviscid.water, 2, 0.25);
+    const double h = inviscid.water.kernel.smoothingLength();
+    AdvectionTimeStep<Dim> step(inviscid.water, 2, 0.25);
     CHECK(step.estimate() == Approx(0.25 * h / 5).epsilon(1e-14));
-    CHECK(AdvectionTimeStep<Dim>(*inviscid.water, 8, 0.25).estimate() ==
+    CHECK(AdvectionTimeStep<Dim>(inviscid.water, 8, 0.25).estimate() ==
           Approx(0.25 * h / 8).epsilon(1e-14));
     inviscid.velocity.setZero();
     CHECK(step.estimate() == Approx(0.25 * h / 2).epsilon(1e-14));
@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE_SIG("advection time step, guide (52)", "", ((int Dim), Dim), 
     for (const double share : {0.5, 2.0}) {
         const double nu = share * 5 * h;
         Moving<Dim> viscous(density * nu);
-        CHECK(AdvectionTimeStep<Dim>(*viscous.water, 2, 0.25).estimate() ==
+        CHECK(AdvectionTimeStep<Dim>(viscous.water, 2, 0.25).estimate() ==
               Approx(0.25 * (share > 1 ? h * h / nu : h / 5)).epsilon(1e-14));
     }
 }

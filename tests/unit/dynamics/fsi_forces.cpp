@@ -1,85 +1,51 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "../memory_archive.h"
+#include "../scene/scene.h"
+#include "../scene/values.h"
 #include "dynamics/fluid/pressure_relaxation.h"
 #include "dynamics/fluid/viscous_force.h"
 #include "dynamics/fsi/average_kinematics.h"
 #include "dynamics/fsi/fluid_force.h"
-#include "materials/saint_venant_kirchhoff.h"
-#include "materials/weakly_compressible_fluid.h"
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
-#include <functional>
-#include <random>
-#include <string>
-
 using namespace sphinx;
 using namespace sphinx::fluid;
+using namespace sphinx::test;
 
 namespace {
 
 /// A block of fluid above an elastic block of half its spacing, all a little disordered and moving.
 template <int Dim>
-struct Meeting {
+struct Meeting : Scene<Dim> {
     Meeting() {
-        fluid = add(FluidRole<Dim>{std::make_shared<LinearFluid>(2, 10, 0.3)}, 0.1, 5, 0);
-        IsotropicParameters rubber;
-        rubber.density = 3;
-        rubber.lame_lambda = 100;
-        rubber.lame_mu = 50;
-        solid = add(ElasticRole<Dim>{std::make_shared<SaintVenantKirchhoff>(rubber)}, 0.05, 10, 1);
+        Vec<Dim> upper = Vec<Dim>::Constant(0.5);
+        fluid =
+            &move(Scene<Dim>::fluid("water", filled(Vec<Dim>::Zero(), upper), {.viscosity = 0.3}));
+        Vec<Dim> lower = Vec<Dim>::Zero();
+        lower[1] = -0.5;
+        upper[1] = 0;
+        this->spacing = 0.05;
+        solid = &move(this->elastic("gate", filled(lower, upper), {.density = 3}));
+        this->setFace(*solid, Face{});
         fluid->sees = {fluid, solid};
         solid->sees = {fluid};
     }
-    Body<Dim>* add(decltype(Body<Dim>::role) role, double spacing, int n, int layers_below) {
-        Body<Dim>& body = *world.bodies.emplace_back(std::make_unique<Body<Dim>>());
-        body.role = std::move(role);
-        body.spacing = spacing;
-        body.kernel = Kernel<Dim>(KernelType::wendland_c2, 1.3 * spacing, spacing);
-        std::vector<Vec<Dim>> points;
-        const int layers = Dim == 3 ? n : 1;
-        for (int k = 0; k < layers; ++k)
-            for (int j = 0; j < n; ++j)
-                for (int i = 0; i < n; ++i) {
-                    Vec<Dim> x = Vec<Dim>::Constant(spacing * (k + 0.5));
-                    x[0] = spacing * (i + 0.5);
-                    x[1] = spacing * (layers_below ? -(j + 0.5) : j + 0.5);
-                    for (int c = 0; c < Dim; ++c) x[c] += 0.1 * spacing * number(random);
-                    points.push_back(x);
-                }
-        ParticleSet<Dim>& p = body.particles;
-        p.append(points.size());
-        const double V = std::pow(spacing, Dim);
-        const double rho = body.material()->density();
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            p.position()[i] = points[i];
-            p.scalar(fields::volume)[i] = V;
-            p.scalar(fields::mass)[i] = rho * V;
-            p.scalar(fields::density)[i] = rho * (1 + 0.01 * number(random));
-            p.scalar(fields::depth)[i] = std::max(0.0, -points[i][1]);
-            p.vector(fields::normal)[i] = Vec<Dim>::Unit(1);
-            for (int c = 0; c < Dim; ++c) {
-                p.vector(fields::velocity)[i][c] = number(random);
-                p.vector(fields::average_velocity)[i][c] = number(random);
-            }
-        }
-        return &body;
+    std::vector<Vec<Dim>> filled(const Vec<Dim>& lower, const Vec<Dim>& upper) {
+        return this->disordered(this->box(lower, upper), 0.1);
     }
-    Vec<Dim> momentum() const {
-        Vec<Dim> sum = Vec<Dim>::Zero();
-        for (std::size_t i = 0; i < fluid->size(); ++i)
-            sum += fluid->particles.scalar(fields::mass)[i] *
-                   fluid->particles.vector(fields::velocity)[i];
-        return sum;
+    Body<Dim>& move(Body<Dim>& body) {
+        for (const FieldInfo* field : {&fields::velocity, &fields::average_velocity})
+            give(body, *field,
+                 [&](const Vec<Dim>&) { return this->random.template vector<Dim>(1); });
+        for (std::size_t i = 0; i < body.size(); ++i)
+            body.particles.scalar(fields::density)[i] *= this->random(0.99, 1.01);
+        return body;
     }
+    void updateLists() { this->relations.update({fluid, solid}); }
+    Vec<Dim> momentum() const { return massTimes(*fluid, fields::velocity); }
 
-    std::mt19937 random{1};
-    std::uniform_real_distribution<double> number{-1, 1};
-    World<Dim> world;
-    Relations<Dim> relations{world};
-    Context<Dim> context{world, relations};
     Body<Dim>* fluid;
     Body<Dim>* solid;
 };
@@ -101,7 +67,7 @@ TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that pressure takes f
         auto& force = meeting.solid->particles.vector(fields::pressure_force);
         fsi::FluidForce<Dim> load(meeting.context, *meeting.solid, *meeting.fluid,
                                   LoadKind::pressure, force);
-        meeting.relations.update({meeting.fluid, meeting.solid});
+        meeting.updateLists();
         const Vec<Dim> before = meeting.momentum();
         const double dt = 1e-3;
         pressure.firstHalf({0, dt, 0});
@@ -120,7 +86,7 @@ TEST_CASE(
     auto& force = meeting.solid->particles.vector(fields::pressure_force);
     fsi::FluidForce<2> load(meeting.context, *meeting.solid, *meeting.fluid, LoadKind::pressure,
                             force);
-    meeting.relations.update({meeting.fluid, meeting.solid});
+    meeting.updateLists();
     const double dt = 1e-3;
     CHECK(presentLoad(meeting.context.loads, *meeting.fluid, LoadKind::pressure) == &first);
     CHECK(presentLoad(meeting.context.loads, *meeting.fluid, LoadKind::viscous) == nullptr);
@@ -133,7 +99,7 @@ TEST_CASE(
         const Vec<2> taken = (before - meeting.momentum()) / dt;
         CHECK((taken - sumOf<2>(force)).norm() < 1e-12 * taken.norm());
         acting->secondHalf({time, dt, 0});
-        meeting.relations.update({meeting.fluid, meeting.solid});
+        meeting.updateLists();
         time += dt;
     }
 }
@@ -146,7 +112,7 @@ TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
     using Viscous = ViscousForce<2>;
     Viscous first(meeting.context, *meeting.fluid, WallSlip::no_slip, ViscousForm::central);
     Viscous second(meeting.context, *meeting.fluid, WallSlip::no_slip, ViscousForm::laplacian);
-    meeting.relations.update({meeting.fluid, meeting.solid});
+    meeting.updateLists();
     first.run({0, 0.1, 0});
     second.run({0.1, 0.1, 1});
     CHECK(present(meeting.context) == &second);
@@ -156,7 +122,7 @@ TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
     Viscous same_second(resumed, *meeting.fluid, WallSlip::no_slip, ViscousForm::laplacian);
     const auto resume = [&] {
         for (const auto& [from, to] : {std::pair{&first, &same_first}, {&second, &same_second}}) {
-            test::MemoryArchive memory;
+            MemoryArchive memory;
             from->transfer(memory);
             memory.is_loading = true;
             to->transfer(memory);
@@ -174,7 +140,7 @@ TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
     CHECK(present(resumed) == nullptr);
     auto& force = meeting.solid->particles.vector(fields::viscous_force);
     fsi::FluidForce<2> load(resumed, *meeting.solid, *meeting.fluid, LoadKind::viscous, force);
-    meeting.relations.update({meeting.fluid, meeting.solid});
+    meeting.updateLists();
     load.run({});
     CHECK(sumOf<2>(force).norm() == 0);
     same_first.run({0.2, 0.1, 2});
@@ -190,13 +156,10 @@ TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that viscosity takes 
         auto& force = meeting.solid->particles.vector(fields::viscous_force);
         fsi::FluidForce<Dim> load(meeting.context, *meeting.solid, *meeting.fluid,
                                   LoadKind::viscous, force);
-        meeting.relations.update({meeting.fluid, meeting.solid});
+        meeting.updateLists();
         viscous.run({});
         load.run({});
-        Vec<Dim> given = Vec<Dim>::Zero();
-        for (std::size_t i = 0; i < meeting.fluid->size(); ++i)
-            given += meeting.fluid->particles.scalar(fields::mass)[i] *
-                     meeting.fluid->particles.vector(fields::external_acceleration)[i];
+        const Vec<Dim> given = massTimes(*meeting.fluid, fields::external_acceleration);
         CHECK(given.norm() > 0.01);
         CHECK((given + sumOf<Dim>(force)).norm() < 1e-12 * given.norm());
     }

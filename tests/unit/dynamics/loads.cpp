@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "../scene/expression.h"
+#include "../scene/stepper.h"
+#include "../scene/values.h"
 #include "dynamics/constraint/fix.h"
 #include "dynamics/force/body_force.h"
 #include "dynamics/force/gravity.h"
@@ -8,8 +11,6 @@
 #include "dynamics/force/surface_pressure.h"
 #include "dynamics/force/velocity_damping.h"
 #include "dynamics/solid/acoustic_time_step.h"
-#include "expression.h"
-#include "stepper.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,63 +21,30 @@ using namespace sphinx::test;
 
 namespace {
 
-template <int Dim>
-std::array<int, Dim> cube(int n) {
-    std::array<int, Dim> size;
-    size.fill(n);
-    return size;
-}
-
-/// Sum of the forces that the external accelerations stand for.
-template <int Dim>
-Vec<Dim> totalForce(Body<Dim>& body) {
-    Vec<Dim> sum = Vec<Dim>::Zero();
-    for (std::size_t i = 0; i < body.size(); ++i)
-        sum += body.particles.scalar(fields::mass)[i] *
-               body.particles.vector(fields::external_acceleration)[i];
-    return sum;
-}
-
-template <int Dim>
-double massOf(Body<Dim>& body) {
-    double sum = 0;
-    for (std::size_t i = 0; i < body.size(); ++i) sum += body.particles.scalar(fields::mass)[i];
-    return sum;
-}
-
-template <int Dim>
-Vec<Dim> centreOf(Body<Dim>& body) {
-    Vec<Dim> sum = Vec<Dim>::Zero();
-    for (std::size_t i = 0; i < body.size(); ++i)
-        sum += body.particles.scalar(fields::mass)[i] * body.particles.position()[i];
-    return sum / massOf(body);
-}
-
 constexpr double round_off = 1e-13;
 
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("a point force is shared without loss and moves the centre of mass", "",
                        ((int Dim), Dim), 2, 3) {
-    ElasticScene<Dim> scene;
-    Body<Dim>& body = scene.add("block", scene.lattice(cube<Dim>(5), 0.1));
+    Scene<Dim> scene;
+    Body<Dim>& body = scene.elastic("block", scene.lattice(5, 0.1));
     for (std::size_t i = 0; i < body.size(); ++i)
         body.particles.scalar(fields::mass)[i] *= scene.random(0.9, 1.1);
-    scene.addPart(body, "end", [](const Vec<Dim>& R) { return R[0] < 2 * spacing; });
-    Stepper<Dim> stepper(scene.context, body);
+    const Part<Dim> end =
+        scene.part(body, "end", [](const Vec<Dim>& R) { return R[0] < 2 * spacing; });
+    Stepper<Dim> stepper(scene, body);
     std::vector<std::string> texts{"3*cos(t)", "-2 + x"};
     if (Dim == 3) texts.push_back("1");
-    force::PointForce<Dim> push(Part<Dim>(scene.world, {"block.end", {}}),
-                                expressions(texts, unit::force));
+    force::PointForce<Dim> push(end, expressions(texts, unit::force));
 
     SECTION("shared") {
-        const Part<Dim> end(scene.world, {"block.end", {}});
         double place = 0;
         for (std::size_t n = 0; n < end.size(); ++n)
             place += body.particles.scalar(fields::mass)[end[n]] *
                      body.particles.position()[end[n]][0] / end.mass();
         push.run({0.3, 0.02, 0});
-        const Vec<Dim> total = totalForce(body);
+        const Vec<Dim> total = massTimes(body, fields::external_acceleration);
         CHECK(total[0] == Approx(3 * std::cos(0.31)).epsilon(round_off));
         CHECK(total[1] == Approx(-2 + place).epsilon(round_off));
         for (std::size_t i = 0; i < body.size(); ++i)
@@ -86,8 +54,7 @@ TEMPLATE_TEST_CASE_SIG("a point force is shared without loss and moves the centr
     SECTION("moves") {
         texts[0] = "3";
         texts[1] = "-2";
-        force::PointForce<Dim> constant(Part<Dim>(scene.world, {"block.end", {}}),
-                                        expressions(texts, unit::force));
+        force::PointForce<Dim> constant(end, expressions(texts, unit::force));
         const Vec<Dim> before = centreOf(body);
         for (int k = 0; k < 200; ++k) stepper.step(1e-3, {&constant});
         const double t = stepper.clock.time;
@@ -98,9 +65,9 @@ TEMPLATE_TEST_CASE_SIG("a point force is shared without loss and moves the centr
 }
 
 TEST_CASE("bodies under gravity and body forces move as a point would") {
-    ElasticScene<2> scene;
-    Body<2>& body = scene.add("block", scene.lattice({5, 5}, 0.1));
-    Stepper<2> stepper(scene.context, body);
+    Scene<2> scene;
+    Body<2>& body = scene.elastic("block", scene.lattice(5, 0.1));
+    Stepper<2> stepper(scene, body);
     force::Gravity<2> gravity(body, Vec<2>(0, -10));
     CHECK(body.gravity().isZero(0));
     gravity.announce();
@@ -127,14 +94,14 @@ TEST_CASE("bodies under gravity and body forces move as a point would") {
 
 TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows with the surface",
                        "", ((int Dim), Dim), 2, 3) {
-    ElasticScene<Dim> scene;
+    Scene<Dim> scene;
     constexpr int n = 6;
-    Body<Dim>& body = scene.add("block", scene.lattice(cube<Dim>(n)));
+    Body<Dim>& body = scene.elastic("block", scene.lattice(n));
     body.shape = geometry::makeBox<Dim>(Vec<Dim>::Zero(), Vec<Dim>::Constant(n * spacing));
     const int rows = GENERATE(1, 2);
-    scene.addPart(body, "top", [&](const Vec<Dim>& R) { return R[1] > (n - rows) * spacing; });
-    const Part<Dim> top(scene.world, {"block.top", {}});
-    Stepper<Dim> stepper(scene.context, body);
+    const Part<Dim> top =
+        scene.part(body, "top", [&](const Vec<Dim>& R) { return R[1] > (n - rows) * spacing; });
+    Stepper<Dim> stepper(scene, body);
     std::vector<std::string> texts{"0", "7"};
     if (Dim == 3) texts.push_back("0");
     const auto upwards = expressions(texts, unit::none);
@@ -148,21 +115,23 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
         pressure.prepare();
         pressure.run({0.9, 0.2, 0});
         const double mean = 5 + width + 1;
-        CHECK((totalForce(body) + mean * area * Vec<Dim>::Unit(1)).norm() < round_off * mean);
+        CHECK((massTimes(body, fields::external_acceleration) + mean * area * Vec<Dim>::Unit(1))
+                  .norm() < round_off * mean);
     }
     SECTION("with the normal of the shape, away from the edges") {
-        scene.addPart(body, "middle", [&](const Vec<Dim>& R) {
+        const Part<Dim> middle = scene.part(body, "middle", [&](const Vec<Dim>& R) {
             bool inside = R[1] > (n - 1) * spacing;
             for (int c = 0; c < Dim; ++c)
                 inside = inside && (c == 1 || std::abs(R[c] - width / 2) < 2 * spacing);
             return inside;
         });
-        force::SurfacePressure<Dim> pressure(Part<Dim>(scene.world, {"block.middle", {}}),
-                                             input::FieldExpression(5), spacing, {});
+        force::SurfacePressure<Dim> pressure(middle, input::FieldExpression(5), spacing, {});
         pressure.prepare();
         pressure.run({});
         const double part = std::pow(4 * spacing, Dim - 1);
-        CHECK((totalForce(body) + 5 * part * Vec<Dim>::Unit(1)).norm() < round_off);
+        CHECK(
+            (massTimes(body, fields::external_acceleration) + 5 * part * Vec<Dim>::Unit(1)).norm() <
+            round_off);
     }
     SECTION("deformed") {
         force::SurfacePressure<Dim> pressure(top, input::FieldExpression(5), d, upwards);
@@ -175,21 +144,21 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
         pressure.prepare();
         pressure.run({});
         const Vec<Dim> expected = -5 * 1.5 * area * Q.col(1);
-        CHECK((totalForce(body) - expected).norm() < round_off * expected.norm());
+        CHECK((massTimes(body, fields::external_acceleration) - expected).norm() <
+              round_off * expected.norm());
     }
 }
 
 TEMPLATE_TEST_CASE_SIG("spring and dashpot: period and logarithmic decrement", "", ((int Dim), Dim),
                        2, 3) {
-    ElasticScene<Dim> scene;
-    Body<Dim>& body = scene.add("block", scene.lattice(cube<Dim>(4)));
-    Stepper<Dim> stepper(scene.context, body);
+    Scene<Dim> scene;
+    Body<Dim>& body = scene.elastic("block", scene.lattice(4));
+    Stepper<Dim> stepper(scene, body);
     const double mass = massOf(body);
     const double omega = 40;
     const double ratio = GENERATE(0., 0.1);  // of the critical damping
     const double k = mass * omega * omega;
-    force::Spring<Dim> spring(scene.world.domain, Part<Dim>(scene.world, {"block", {}}), k,
-                              2 * ratio * mass * omega);
+    force::Spring<Dim> spring(scene.world.domain, scene.part("block"), k, 2 * ratio * mass * omega);
     // The body also trembles in itself, of which its centre must not take notice.
     auto& velocity = body.particles.vector(fields::velocity);
     Vec<Dim> mean = Vec<Dim>::Zero();
@@ -234,8 +203,8 @@ TEMPLATE_TEST_CASE_SIG("spring and dashpot: period and logarithmic decrement", "
 
 TEMPLATE_TEST_CASE_SIG("damping of the velocity: exact over any steps", "", ((int Dim), Dim), 2,
                        3) {
-    ElasticScene<Dim> scene;
-    Body<Dim>& body = scene.add("block", scene.lattice(cube<Dim>(3)));
+    Scene<Dim> scene;
+    Body<Dim>& body = scene.elastic("block", scene.lattice(3));
     auto& velocity = body.particles.vector(fields::velocity);
     for (std::size_t i = 0; i < body.size(); ++i)
         velocity[i] = scene.random.template vector<Dim>(1);
@@ -247,14 +216,14 @@ TEMPLATE_TEST_CASE_SIG("damping of the velocity: exact over any steps", "", ((in
 }
 
 TEST_CASE("the reaction of a body that is held is its weight") {
-    ElasticScene<2> scene;
+    Scene<2> scene;
     const Vec<2> g(3, -10);
 
     SECTION("held as a whole: at once") {
-        Body<2>& body = scene.add("block", scene.lattice({5, 5}, 0.1));
-        Stepper<2> stepper(scene.context, body);
+        Body<2>& body = scene.elastic("block", scene.lattice(5, 0.1));
+        Stepper<2> stepper(scene, body);
         force::Gravity<2> gravity(body, g);
-        constraint::Fix<2> fix(Part<2>(scene.world, {"block", {}}), {});
+        constraint::Fix<2> fix(scene.part("block"), {});
         stepper.step(1e-3, {&gravity}, {&fix});
         CHECK((fix.reaction() + massOf(body) * g).norm() < round_off * massOf(body) * g.norm());
         for (std::size_t i = 0; i < body.size(); ++i)
@@ -263,21 +232,22 @@ TEST_CASE("the reaction of a body that is held is its weight") {
     }
     SECTION("hanging: when it has come to rest") {
         // Lowest axial mode: 35 1/s, decay rate eta omega^2/(2 E) of 1.2 1/s and more.
-        Body<2>& body = scene.add("bar", scene.lattice({4, 10}), 2);
-        scene.addPart(body, "top", [](const Vec<2>& R) { return R[1] > 8 * spacing; });
-        Stepper<2> stepper(scene.context, body);
+        Body<2>& body = scene.elastic("bar", scene.lattice({4, 10}), {.damping = 2});
+        const Part<2> top =
+            scene.part(body, "top", [](const Vec<2>& R) { return R[1] > 8 * spacing; });
+        Stepper<2> stepper(scene, body);
         force::Gravity<2> gravity(body, Vec<2>(0, -10));
-        constraint::Fix<2> fix(Part<2>(scene.world, {"bar.top", {}}), {});
+        constraint::Fix<2> fix(top, {});
         solid::AcousticTimeStep<2> time_step(body, 0.6);
         while (stepper.clock.time < 15) stepper.step(time_step.estimate(), {&gravity}, {&fix});
         CHECK(fix.reaction()[1] == Approx(10 * massOf(body)).epsilon(1e-6));
         CHECK(std::abs(fix.reaction()[0]) < 1e-6 * massOf(body));
     }
     SECTION("held along one axis: the other is free") {
-        Body<2>& body = scene.add("block", scene.lattice({5, 5}, 0.1));
-        Stepper<2> stepper(scene.context, body);
+        Body<2>& body = scene.elastic("block", scene.lattice(5, 0.1));
+        Stepper<2> stepper(scene, body);
         force::Gravity<2> gravity(body, g);
-        constraint::Fix<2> fix(Part<2>(scene.world, {"block", {}}), {1});
+        constraint::Fix<2> fix(scene.part("block"), {1});
         stepper.step(1e-3, {&gravity}, {&fix});
         CHECK(fix.reaction()[0] == 0);
         CHECK(fix.reaction()[1] == Approx(10 * massOf(body)).epsilon(round_off));

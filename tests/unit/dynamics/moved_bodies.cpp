@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 // Whoever moves particles says so by the version of their body: outputs look at any substep.
+#include "../scene/stepper.h"
 #include "dynamics/fluid/pressure_relaxation.h"
 #include "dynamics/neighbors/update.h"
-#include "fluid.h"
-#include "stepper.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,21 +11,22 @@ using namespace sphinx;
 using namespace sphinx::test;
 
 TEST_CASE("each half of a fluid's step makes lists stale") {
-    FluidScene<2> scene(filled<2>(Vec<2>(0, 0), Vec<2>(0.5, 0.5), FluidScene<2>::spacing));
-    fluid::PressureRelaxation<2> relaxation(scene.context, *scene.water, fluid::Riemann::none);
-    scene.relations.update({scene.water});
-    const std::uint64_t version = scene.water->version;
+    Scene<2> scene;
+    Body<2>& water = scene.fluid("water", scene.lattice(5));
+    fluid::PressureRelaxation<2> relaxation(scene.context, water, fluid::Riemann::none);
+    scene.relations.update({&water});
+    const std::uint64_t version = water.version;
     relaxation.firstHalf({0, 1e-3, 0});
-    const std::uint64_t between = scene.water->version;
+    const std::uint64_t between = water.version;
     CHECK(between > version);
     relaxation.secondHalf({0, 1e-3, 0});
-    CHECK(scene.water->version > between);
+    CHECK(water.version > between);
 }
 
 TEST_CASE("each half of an elastic body's step makes lists stale") {
-    ElasticScene<2> scene;
-    Body<2>& body = *scene.patch(false).front();
-    Stepper<2> stepper(scene.context, body);
+    Scene<2> scene;
+    Body<2>& body = scene.elastic("block", scene.lattice(10, 0.2));
+    Stepper<2> stepper(scene, body);
     const std::uint64_t version = body.version;
     stepper.relaxation.firstHalf({0, 1e-5, 0});
     const std::uint64_t between = body.version;
@@ -36,16 +36,17 @@ TEST_CASE("each half of an elastic body's step makes lists stale") {
 }
 
 TEST_CASE("lists are stale when particles come back on the other side of a periodic domain") {
-    FluidScene<2> scene({Vec<2>(0.1, 0.5), Vec<2>(0.9, 0.5)});
-    scene.repeat(0, 1);
-    neighbors::Update<2> update(scene.context, {scene.water});
+    Scene<2> scene;
+    Body<2>& water = scene.fluid("water", {Vec<2>(0.1, 0.5), Vec<2>(0.9, 0.5)});
+    scene.repeat(0, Vec<2>(0, 0), Vec<2>(1, 1));
+    neighbors::Update<2> update(scene.context, {&water});
     update.run({});
-    const std::uint64_t version = scene.water->version;
+    const std::uint64_t version = water.version;
     update.run({});
-    CHECK(scene.water->version == version);
-    Vec<2>& x = scene.water->particles.position()[1];
+    CHECK(water.version == version);
+    Vec<2>& x = water.particles.position()[1];
     x[0] = 1.01;
     update.run({});
     CHECK(x[0] == Approx(0.01));
-    CHECK(scene.water->version > version);
+    CHECK(water.version > version);
 }

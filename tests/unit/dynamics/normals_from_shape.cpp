@@ -1,42 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/geometry/normals_from_shape.h"
-#include "geometry/solids.h"
-#include "particles/lattice.h"
+#include "../scene/scene.h"
+#include "../scene/values.h"
 
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
+using namespace sphinx::test;
 
 namespace {
 
-constexpr double dp = 0.1;
-
 /// A rigid box of the lattice.
 struct Block {
-    Body<3> body;
+    Scene<3> scene;
+    Body<3>& body;
 
-    Block(const Vec<3>& lower, const Vec<3>& upper) {
-        body.role = WallRole{};
-        body.spacing = dp;
-        body.kernel = Kernel<3>(KernelType::wendland_c2, 1.3 * dp, dp);
+    Block(const Vec<3>& lower, const Vec<3>& upper)
+        : body(scene.wall("block", scene.box(lower, upper))) {
         body.shape = geometry::makeBox(lower, upper);
-        const auto points = latticePoints<3>(*body.shape, dp, Vec<3>::Zero());
-        body.particles.append(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i) body.particles.position()[i] = points[i];
     }
     /// Finds the normals; that of the particle in the cell (x, y, z).
     Vec<3> normal(int x, int y, int z) {
         return body.particles.vector(fields::normal)[at(x, y, z)];
     }
     double depth(int x, int y, int z) {
-        return body.particles.scalar(fields::depth)[at(x, y, z)] / dp;
+        return body.particles.scalar(fields::depth)[at(x, y, z)] / spacing;
     }
     std::size_t at(int x, int y, int z) {
-        const Vec<3> place = dp * (Vec<3>(x, y, z) + Vec<3>::Constant(0.5));
-        for (std::size_t i = 0; i < body.size(); ++i)
-            if ((body.particles.position()[i] - place).norm() < 1e-9) return i;
-        throw std::logic_error("no such particle");
+        const Vec<3> place = spacing * (Vec<3>(x, y, z) + Vec<3>::Constant(0.5));
+        const std::size_t i = nearest(body, place);
+        REQUIRE((body.particles.position()[i] - place).norm() < 1e-9);
+        return i;
     }
 };
 

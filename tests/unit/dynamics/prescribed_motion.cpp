@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/constraint/prescribed_motion.h"
 
+#include "../scene/expression.h"
+#include "../scene/stepper.h"
+#include "../scene/values.h"
 #include "dynamics/solid/derived_fields.h"
-#include "expression.h"
-#include "stepper.h"
 
 #include <catch2/catch.hpp>
 
@@ -18,22 +19,14 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-World<2> periodicAlongX(double period) {
-    World<2> world;
-    world.domain.bounds.lower = Vec<2>(0, -10);
-    world.domain.bounds.upper = Vec<2>(period, 10);
-    world.domain.periodic = {true, false};
-    return world;
-}
-
 }  // namespace
 
 TEST_CASE("an elastic part is where its motion says after every step") {
-    ElasticScene<2> scene;
-    Body<2>& body = scene.add("block", scene.lattice({6, 6}, 0.1));
-    scene.addPart(body, "left", [](const Vec<2>& R) { return R[0] < 2 * spacing; });
-    const Part<2> left(scene.world, {"block.left", {}});
-    Stepper<2> stepper(scene.context, body);
+    Scene<2> scene;
+    Body<2>& body = scene.elastic("block", scene.lattice(6, 0.1));
+    const Part<2> left =
+        scene.part(body, "left", [](const Vec<2>& R) { return R[0] < 2 * spacing; });
+    Stepper<2> stepper(scene, body);
     const auto& R = body.particles.vector(fields::initial_position);
     const auto& r = body.particles.position();
     const auto u = [&](const Vec<2>& X, double t) -> Vec<2> {
@@ -67,14 +60,13 @@ TEST_CASE("an elastic part is where its motion says after every step") {
 }
 
 TEST_CASE("what moves a body as a whole gives its mass times its acceleration") {
-    ElasticScene<3> scene;
-    Body<3>& body = scene.add("block", scene.lattice({4, 4, 4}, 0.1));
-    Stepper<3> stepper(scene.context, body);
+    Scene<3> scene;
+    Body<3>& body = scene.elastic("block", scene.lattice(4, 0.1));
+    Stepper<3> stepper(scene, body);
     PrescribedSolidMotion<3> motion(
-        scene.world, Part<3>(scene.world, {"block", {}}),
+        scene.world, scene.part("block"),
         Motion<3>(expressions({"1.5*t^2", "0", "-2*t^2"}, unit::length)), {});
-    double mass = 0;
-    for (std::size_t i = 0; i < body.size(); ++i) mass += body.particles.scalar(fields::mass)[i];
+    const double mass = massOf(body);
     for (int k = 0; k < 20; ++k) {
         stepper.step(1e-3, {}, {&motion});
         if (k > 0) CHECK((motion.reaction() - mass * Vec<3>(3, 0, -4)).norm() < 1e-9 * mass);
@@ -83,14 +75,14 @@ TEST_CASE("what moves a body as a whole gives its mass times its acceleration") 
 }
 
 TEST_CASE("the stress of a block that is stretched") {
-    ElasticScene<3> scene;
-    Body<3>& body = scene.add("block", scene.lattice({4, 4, 4}, 0.1));
+    Scene<3> scene;
+    Body<3>& body = scene.elastic("block", scene.lattice(4, 0.1));
     const auto& stress = body.particles.matrix(fields::piola_kirchhoff_stress);
     const auto& energy = body.particles.scalar(fields::strain_energy_density);
-    Stepper<3> stepper(scene.context, body);
+    Stepper<3> stepper(scene, body);
     // Velocities are those of the middle of a step: F is complete once the motion has stopped.
     PrescribedSolidMotion<3> motion(
-        scene.world, Part<3>(scene.world, {"block", {}}),
+        scene.world, scene.part("block"),
         Motion<3>(
             expressions({"0.3*(t < 1 ? t : 1)*x", "-0.1*(t < 1 ? t : 1)*y", "0"}, unit::length)),
         {});
@@ -115,18 +107,16 @@ TEST_CASE("the stress of a block that is stretched") {
 }
 
 TEST_CASE("a wall that moves: what a fluid sees of it") {
-    ElasticScene<2> scene;
-    scene.world = periodicAlongX(1);
-    Body<2>& wall = scene.add("wall", scene.lattice({10, 3}));
-    wall.role = WallRole{};
+    Scene<2> scene;
+    scene.repeat(0, Vec<2>(0, -10), Vec<2>(1, 10));
+    Body<2>& wall = scene.wall("wall", scene.lattice({10, 3}));
     wall.particles.vector(fields::velocity)[0] = {7, 8};
     const auto& R = wall.particles.vector(fields::initial_position);
     const Clock clock{0.5, 0.25, 0};
     const auto texts = expressions({"3*t + 2*t^2 + y", "-t^2*x"}, unit::length);
 
     SECTION("position at the end of the step, velocity and acceleration of its middle") {
-        PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall", {}}),
-                                       Motion<2>(texts), {});
+        PrescribedWallMotion<2> motion(scene.world, scene.part("wall"), Motion<2>(texts), {});
         const auto version = wall.version;
         motion.run(clock);
         CHECK(wall.version > version);
@@ -147,9 +137,8 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
         }
     }
     SECTION("a part, along one axis") {
-        scene.addPart(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
-        PrescribedWallMotion<2> motion(scene.world, Part<2>(scene.world, {"wall.end", {}}),
-                                       Motion<2>(texts), {1});
+        const Part<2> end = scene.part(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
+        PrescribedWallMotion<2> motion(scene.world, end, Motion<2>(texts), {1});
         motion.run(clock);
         wall.particles.vector(fields::velocity).data()[wall.size() - 1][0] = 9;
         motion.rest();
@@ -167,21 +156,16 @@ namespace {
 
 /// A wall whose normals all have one direction.
 template <int Dim>
-Body<Dim>& wallWithNormals(ElasticScene<Dim>& scene, const Vec<Dim>& normal) {
-    std::array<int, Dim> n;
-    n.fill(4);
-    Body<Dim>& wall = scene.add("wall", scene.lattice(n));
-    wall.role = WallRole{};
-    for (std::size_t i = 0; i < wall.size(); ++i)
-        wall.particles.vector(fields::normal)[i] =
-            wall.particles.vector(fields::initial_normal)[i] = normal;
+Body<Dim>& wallWithNormals(Scene<Dim>& scene, const Vec<Dim>& normal) {
+    Body<Dim>& wall = scene.wall("wall", scene.lattice(4));
+    for (const FieldInfo* field : {&fields::normal, &fields::initial_normal})
+        give(wall, *field, [&](const Vec<Dim>&) { return normal; });
     return wall;
 }
 
 template <int Dim>
-void runTo(ElasticScene<Dim>& scene, Motion<Dim> motion, double time) {
-    PrescribedWallMotion<Dim> method(scene.world, Part<Dim>(scene.world, {"wall", {}}),
-                                     std::move(motion), {});
+void runTo(Scene<Dim>& scene, Motion<Dim> motion, double time) {
+    PrescribedWallMotion<Dim> method(scene.world, scene.part("wall"), std::move(motion), {});
     method.prepare();
     method.run({time - 0.01, 0.01, 0});
 }
@@ -189,7 +173,7 @@ void runTo(ElasticScene<Dim>& scene, Motion<Dim> motion, double time) {
 }  // namespace
 
 TEST_CASE("a wall turns and shifts as a whole, and its normals with it") {
-    ElasticScene<2> scene;
+    Scene<2> scene;
     const Vec<2> n(0.6, 0.8);
     Body<2>& wall = wallWithNormals<2>(scene, n);
     RotationParameters rotation;
@@ -212,7 +196,7 @@ TEST_CASE("a wall turns and shifts as a whole, and its normals with it") {
 }
 
 TEST_CASE("a turn that is written out as a displacement turns the normals as well") {
-    ElasticScene<2> scene;
+    Scene<2> scene;
     const Vec<2> n(0.6, 0.8);
     Body<2>& wall = wallWithNormals<2>(scene, n);
     runTo<2>(scene,
@@ -226,7 +210,7 @@ TEST_CASE("a turn that is written out as a displacement turns the normals as wel
 }
 
 TEST_CASE("normals of a wall that shears stay perpendicular to its surface") {
-    ElasticScene<2> scene;
+    Scene<2> scene;
     Body<2>& wall = wallWithNormals<2>(scene, Vec<2>(1, 0));
     // The surface x = const leans by the angle atan(0.5 t).
     runTo<2>(scene, Motion<2>(expressions({"0.5*t*y", "0"}, unit::length)), 2);
@@ -236,7 +220,7 @@ TEST_CASE("normals of a wall that shears stay perpendicular to its surface") {
 }
 
 TEST_CASE("in space a wall turns about an axis") {
-    ElasticScene<3> scene;
+    Scene<3> scene;
     Body<3>& wall = wallWithNormals<3>(scene, Vec<3>(1, 0, 0));
     RotationParameters rotation;
     rotation.about = {{0, 0, 0}, 3};
@@ -251,7 +235,7 @@ TEST_CASE("in space a wall turns about an axis") {
 }
 
 TEST_CASE("a wall that only shifts keeps its normals to the bit") {
-    ElasticScene<2> scene;
+    Scene<2> scene;
     const Vec<2> n = Vec<2>(1, 3).normalized();
     Body<2>& wall = wallWithNormals<2>(scene, n);
     runTo<2>(scene, Motion<2>(expressions({"3*t", "t^2"}, unit::length)), 1);
@@ -260,9 +244,9 @@ TEST_CASE("a wall that only shifts keeps its normals to the bit") {
 }
 
 TEST_CASE("along an axis on which a wall does not move its normals do not turn either") {
-    ElasticScene<2> scene;
+    Scene<2> scene;
     Body<2>& wall = wallWithNormals<2>(scene, Vec<2>(1, 0));
-    PrescribedWallMotion<2> method(scene.world, Part<2>(scene.world, {"wall", {}}),
+    PrescribedWallMotion<2> method(scene.world, scene.part("wall"),
                                    Motion<2>(expressions({"0.5*t*y", "t"}, unit::length)), {1});
     method.prepare();
     method.run({1.99, 0.01, 0});

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/fluid/viscous_force.h"
 
-#include "fluid.h"
+#include "../scene/scene.h"
+#include "../scene/values.h"
 
 #include <catch2/catch.hpp>
 
@@ -11,30 +12,30 @@
 
 using namespace sphinx;
 using namespace sphinx::fluid;
+using namespace sphinx::test;
 
 namespace {
 
 constexpr double viscosity = 0.3;
-constexpr double density = test::FluidScene<2>::density;
-constexpr double spacing = test::FluidScene<2>::spacing;
 /// Lists hold gradients and distances as 32-bit whole numbers.
 constexpr double list_error = 1e-8;
 
 /// Fluid whose particles have the given places and velocities, and the force on it.
 template <int Dim>
-struct Sample : test::FluidScene<Dim> {
+struct Sample : Scene<Dim> {
     template <class Velocity>
     Sample(const std::vector<Vec<Dim>>& points, Velocity&& velocity, ViscousForm form)
-        : test::FluidScene<Dim>(points, viscosity) {
-        ViscousForce<Dim> force(this->context, *this->water, WallSlip::no_slip, form);
-        for (std::size_t i = 0; i < points.size(); ++i)
-            this->water->particles.vector(fields::velocity)[i] = velocity(points[i]);
-        this->relations.update({this->water});
+        : water(this->fluid("water", points, {.viscosity = viscosity})) {
+        ViscousForce<Dim> force(this->context, water, WallSlip::no_slip, form);
+        give(water, fields::velocity, velocity);
+        this->relations.update({&water});
         force.run({});
     }
     const Vec<Dim>& acceleration(std::size_t i) {
-        return this->water->particles.vector(fields::external_acceleration)[i];
+        return water.particles.vector(fields::external_acceleration)[i];
     }
+
+    Body<Dim>& water;
 };
 
 /// A cube of (2n + 1)^Dim lattice points around the origin, which is the middle one of them; in

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "../scene/scene.h"
+#include "../scene/values.h"
 #include "dynamics/fluid/viscous_force.h"
-#include "fluid.h"
 
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
 using namespace sphinx::fluid;
-using sphinx::test::filled;
-using sphinx::test::FluidScene;
+using namespace sphinx::test;
 
 namespace {
 
@@ -20,42 +20,40 @@ constexpr double list_error = 1e-8;
 
 /// Water on a wall, both repeated along x, with the velocity u along it.
 template <int Dim>
-struct Stream : FluidScene<Dim> {
-    using FluidScene<Dim>::spacing;
-
+struct Stream : Scene<Dim> {
     template <class Speed>
-    Stream(WallSlip slip, ViscousForm form, Speed&& u)
-        : FluidScene<Dim>(filled<Dim>(Vec<Dim>::Zero(), Vec<Dim>::Constant(length), spacing),
-                          viscosity) {
-        this->repeat(0, length);
+    Stream(WallSlip slip, ViscousForm form, Speed&& u) {
+        this->repeat(0, Vec<Dim>::Zero(), Vec<Dim>::Constant(length));
+        water = &this->fluid("water", this->box(Vec<Dim>::Zero(), Vec<Dim>::Constant(length)),
+                             {.viscosity = viscosity});
         Vec<Dim> lower = Vec<Dim>::Zero();
         Vec<Dim> upper = Vec<Dim>::Constant(length);
         lower[1] = -4 * spacing;
         upper[1] = 0;
-        wall = &this->addWall(filled<Dim>(lower, upper, spacing), spacing);
-        ParticleSet<Dim>& p = this->water->particles;
-        for (std::size_t i = 0; i < p.size(); ++i)
-            p.vector(fields::velocity)[i] = u(p.position()[i][1]) * Vec<Dim>::Unit(0);
-        force = std::make_unique<ViscousForce<Dim>>(this->context, *this->water, slip, form);
+        wall = &Scene<Dim>::wall("floor", this->box(lower, upper), Face{});
+        water->sees = {water, wall};
+        give(*water, fields::velocity,
+             [&](const Vec<Dim>& x) -> Vec<Dim> { return u(x[1]) * Vec<Dim>::Unit(0); });
+        force = std::make_unique<ViscousForce<Dim>>(this->context, *water, slip, form);
         // As fsi.viscous_force and outputs of forces ask for it.
-        list = &this->relations.flow(*this->water, *wall, {.distance = true});
-        this->relations.update({this->water});
+        list = &this->relations.flow(*water, *wall, {.distance = true});
+        this->relations.update({water});
         force->run({});
     }
     Vec<Dim> forceOnWall() const {
         return force->loadOn(*wall, list->list, Vec<Dim>::Zero()).force;
     }
+    const Field<Vec<Dim>>& acceleration() const {
+        return water->particles.vector(fields::external_acceleration);
+    }
     /// Acceleration of the particle nearest to y, in the middle of the others.
     Vec<Dim> accelerationAt(double y) const {
         Vec<Dim> place = Vec<Dim>::Constant(length / 2);
         place[1] = y;
-        const ParticleSet<Dim>& p = this->water->particles;
-        std::size_t i = 0;
-        for (std::size_t k = 0; k < p.size(); ++k)
-            if ((p.position()[k] - place).norm() < (p.position()[i] - place).norm()) i = k;
-        return this->water->particles.vector(fields::external_acceleration)[i];
+        return acceleration()[nearest(*water, place)];
     }
 
+    Body<Dim>* water;
     Body<Dim>* wall;
     Relation<Dim>* list;
     std::unique_ptr<ViscousForce<Dim>> force;
@@ -67,7 +65,7 @@ TEMPLATE_TEST_CASE_SIG("a free-slip wall exerts no viscous force", "", ((int Dim
     for (const ViscousForm form : {ViscousForm::laplacian, ViscousForm::central}) {
         const auto gliding = [](double) { return 1.0; };
         const Stream<Dim> free(WallSlip::free_slip, form, gliding);
-        const auto& a = free.water->particles.vector(fields::external_acceleration);
+        const auto& a = free.acceleration();
         for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].norm() == 0);
         CHECK(free.forceOnWall().norm() == 0);
 
@@ -83,8 +81,8 @@ TEMPLATE_TEST_CASE_SIG(
     ((int Dim), Dim), 2, 3) {
     const Stream<Dim> stream(WallSlip::no_slip, ViscousForm::laplacian,
                              [](double y) { return shear * y; });
-    const double scale = viscosity / stream.density * shear / stream.spacing;
-    for (double y = 0.5 * stream.spacing; y < length - 4 * stream.spacing; y += stream.spacing)
+    const double scale = viscosity / density * shear / spacing;
+    for (double y = 0.5 * spacing; y < length - 4 * spacing; y += spacing)
         CHECK(stream.accelerationAt(y).norm() < list_error * scale);
     if constexpr (Dim == 2) {
         CHECK(stream.forceOnWall()[0] == Approx(viscosity * shear * length).epsilon(list_error));

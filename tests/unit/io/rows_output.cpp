@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/series/rows_output.h"
 
-#include "scene.h"
+#include "../memory_archive.h"
+#include "../scene/outputs.h"
+#include "support.h"
 
 #include <catch2/catch.hpp>
 

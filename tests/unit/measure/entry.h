@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "../io/scene.h"
+#include "../io/support.h"
+#include "../scene/outputs.h"
 #include "input/declaration/reader.h"
 #include "input/tree/yaml.h"
 #include "measure/register.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/observe.h"
 
+#include "../scene/values.h"
 #include "entry.h"
 #include "measure/observe_weights.h"
 
@@ -37,9 +38,8 @@ TEMPLATE_TEST_CASE_SIG("a constant is observed exactly, with the part of space a
                        "[observe]", ((int Dim), Dim), 2, 3) {
     using V = Vec<Dim>;
     Scene<Dim> scene;
-    Body<Dim>& water = scene.fluid("water", {V::Zero(), V::Ones()});
-    for (std::size_t i = 0; i < water.size(); ++i)
-        water.particles.vector(fields::velocity)[i] = V::Constant(0.7);
+    Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), V::Ones()));
+    give(water, fields::velocity, [](const V&) -> V { return V::Constant(0.7); });
     V surface = V::Constant(0.5);
     surface[Dim - 1] = 1;  // the top face
     Body<Dim>& probe = scene.observer({V::Constant(0.5), V::Constant(0.437), surface}, {&water});
@@ -56,27 +56,23 @@ TEMPLATE_TEST_CASE_SIG("a constant is observed exactly, with the part of space a
 
 TEST_CASE("a linear field is observed exactly where particles lie symmetrically", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
-    for (std::size_t i = 0; i < water.size(); ++i) {
-        const Vec<2>& x = water.particles.position()[i];
-        water.particles.scalar(fields::pressure)[i] = 3 + 2 * x[0] - 5 * x[1];
-    }
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    const auto linear = [](const Vec<2>& x) { return 3 + 2 * x[0] - 5 * x[1]; };
+    give(water, fields::pressure, linear);
     // On a particle, between four of them, and between two.
     Body<2>& probe =
         scene.observer({Vec<2>(0.45, 0.55), Vec<2>(0.5, 0.4), Vec<2>(0.5, 0.45)}, {&water});
     auto source = observe(scene, probe, {&fields::pressure});
     const std::vector<double> row = rowOf(source);
     // Distances in lists are floats.
-    for (int k = 0; k < 3; ++k) {
-        const Vec<2>& x = probe.particles.position()[k];
-        CHECK(row[k] == Approx(3 + 2 * x[0] - 5 * x[1]).epsilon(1e-7));
-    }
+    for (int k = 0; k < 3; ++k)
+        CHECK(row[k] == Approx(linear(probe.particles.position()[k])).epsilon(1e-7));
 }
 
 TEST_CASE("a point without particles near is NaN and covers nothing", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
-    for (std::size_t i = 0; i < water.size(); ++i) water.particles.scalar(fields::pressure)[i] = 4;
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    give(water, fields::pressure, [](const Vec<2>&) { return 4; });
     Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5), Vec<2>(0.5, 1.5)}, {&water});
     auto points = observe(scene, probe, {&fields::pressure});
     std::vector<double> row = rowOf(points);
@@ -97,12 +93,11 @@ TEST_CASE("a point without particles near is NaN and covers nothing", "[observe]
 
 TEST_CASE("all bodies that an observer sees count, each with its own kernel", "[observe]") {
     Scene<2> scene;
-    Body<2>& left = scene.fluid("left", {Vec<2>(0, 0), Vec<2>(0.5, 1)});
+    Body<2>& left = scene.fluid("left", scene.box(Vec<2>(0, 0), Vec<2>(0.5, 1)));
     scene.spacing = 0.05;
-    Body<2>& right = scene.fluid("right", {Vec<2>(0.5, 0), Vec<2>(1, 1)});
+    Body<2>& right = scene.fluid("right", scene.box(Vec<2>(0.5, 0), Vec<2>(1, 1)));
     scene.spacing = 0.1;
-    left.particles.scalar(fields::pressure);
-    for (std::size_t i = 0; i < right.size(); ++i) right.particles.scalar(fields::pressure)[i] = 1;
+    give(right, fields::pressure, [](const Vec<2>&) { return 1; });
     Body<2>& probe =
         scene.observer({Vec<2>(0.2, 0.5), Vec<2>(0.5, 0.5), Vec<2>(0.8, 0.5)}, {&left, &right});
     auto source = observe(scene, probe, {&fields::pressure});
@@ -115,9 +110,8 @@ TEST_CASE("all bodies that an observer sees count, each with its own kernel", "[
 
 TEST_CASE("observers look through periodic boundaries", "[observe]") {
     Scene<2> scene;
-    scene.world.domain.bounds = {Vec<2>(0, 0), Vec<2>(1, 1)};
-    scene.world.domain.periodic = {true, false};
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
+    scene.repeat(0, Vec<2>(0, 0), Vec<2>(1, 1));
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     Body<2>& probe = scene.observer({Vec<2>(0, 0.5)}, {&water});
     auto source = observe(scene, probe, {&fields::pressure});
     CHECK(rowOf(source)[1] == Approx(1).epsilon(lattice));
@@ -125,7 +119,7 @@ TEST_CASE("observers look through periodic boundaries", "[observe]") {
 
 TEST_CASE("an observer sees where particles are now", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(0.5, 0.5)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(0.5, 0.5)));
     Body<2>& probe = scene.observer({Vec<2>(1, 0.25)}, {&water});
     auto source = observe(scene, probe, {&fields::pressure});
     CHECK(rowOf(source)[1] == 0);
@@ -136,7 +130,7 @@ TEST_CASE("an observer sees where particles are now", "[observe]") {
 
 TEST_CASE("columns of an observer are named by point and component", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     const auto labelsOf = [&](const std::vector<Vec<2>>& points, bool mean) {
         auto source = observe(scene, scene.observer(points, {&water}),
                               {&fields::pressure, &fields::velocity, &strain}, mean);
@@ -163,7 +157,7 @@ TEST_CASE("columns of an observer are named by point and component", "[observe]"
 
 TEST_CASE("matrices are observed row by row", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     Field<Mat<2>>& tensor = water.particles.matrix(strain);
     for (std::size_t i = 0; i < water.size(); ++i) tensor[i] << 1, 2, 3, 4;
     auto source = observe(scene, scene.observer({Vec<2>(0.5, 0.5)}, {&water}), {&strain});
@@ -174,12 +168,11 @@ TEST_CASE("matrices are observed row by row", "[observe]") {
 TEST_CASE("an observer of a case writes its rows", "[observe]") {
     TemporaryFolder folder;
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
-    for (std::size_t i = 0; i < water.size(); ++i)
-        water.particles.scalar(fields::pressure)[i] = 0.25;
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    give(water, fields::pressure, [](const Vec<2>&) { return 0.25; });
     scene.observer({Vec<2>(0.5, 2)}, {&water});
     const Entry entry("{type: observe, observer: probe, fields: [pressure]}");
-    auto output = entry.make(scene.context(folder.path()));
+    auto output = entry.make(outputContext(scene, folder.path()));
     CHECK_FALSE(output->sampledLayer());
     output->write(clockAt(1.5));
     output->finish();
@@ -190,11 +183,11 @@ TEST_CASE("an observer of a case writes its rows", "[observe]") {
 TEST_CASE("what an observer cannot do is an error at its place", "[observe]") {
     TemporaryFolder folder;
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5)}, {&water});
     const auto error = [&](const std::string& yaml, bool follows = false) {
         return errorOf([&] {
-            OutputContext<2> context = scene.context(folder.path());
+            OutputContext<2> context = outputContext(scene, folder.path());
             if (follows) context.followers = {&probe};
             Entry(yaml).make(context);
         });

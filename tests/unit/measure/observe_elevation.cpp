@@ -16,7 +16,7 @@ namespace {
 
 template <int Dim>
 std::vector<double> elevations(Scene<Dim>& scene, Body<Dim>& observer) {
-    return rowOf(*makeElevationSource(observer, {}, scene.context("")));
+    return rowOf(*makeElevationSource(observer, {}, outputContext(scene)));
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE_SIG("the height of a flat surface is found within a hundredth
     Scene<Dim> scene;
     V upper = V::Ones();
     upper[Dim - 1] = 0.6;
-    Body<Dim>& water = scene.fluid("water", {V::Zero(), upper});
+    Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), upper));
     std::vector<V> points;
     for (const double x : {0.41, 0.45, 0.5, 0.57}) {
         points.push_back(V::Constant(0.5));
@@ -48,10 +48,10 @@ TEMPLATE_TEST_CASE_SIG("at a wall the fluid fills what the wall leaves", "", ((i
     Scene<Dim> scene;
     V upper = V::Ones();
     upper[Dim - 1] = 0.6;
-    Body<Dim>& water = scene.fluid("water", {V::Zero(), upper});
+    Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), upper));
     V wall_lower = V::Constant(-0.4), wall_upper = V::Constant(1.4);
     wall_upper[0] = 0;
-    Body<Dim>& wall = scene.fill(scene.wall("wall"), {wall_lower, wall_upper});
+    Body<Dim>& wall = scene.wall("wall", scene.box(wall_lower, wall_upper));
     water.sees = {&water, &wall};
     std::vector<V> points;
     for (const double x : {-0.2, 0.0, 0.01, 0.05, 0.1, 0.5}) {
@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE_SIG("at a wall the fluid fills what the wall leaves", "", ((i
 
 TEST_CASE("heights are measured against gravity") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5)}, {&water});
     water.fluid().gravity = Vec<2>(-3, 0);
     CHECK(elevations(scene, probe)[0] == Approx(1).margin(1e-3));
@@ -75,14 +75,14 @@ TEST_CASE("heights are measured against gravity") {
 
 TEST_CASE("the surface is the highest place that fluid fills to a half; drops do not count") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 0.5)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
     Body<2>& probe = scene.observer({Vec<2>(0.55, 0), Vec<2>(1.6, 0)}, {&water});
     scene.place(water, {Vec<2>(0.55, 1.25)});
     std::vector<double> row = elevations(scene, probe);
     CHECK(row[0] == Approx(0.5).margin(1e-3));
     CHECK(std::isnan(row[1]));  // nothing there
     // A sheet of four layers above the surface counts.
-    scene.fill(water, {Vec<2>(0, 1.6), Vec<2>(1, 2)});
+    scene.place(water, scene.box(Vec<2>(0, 1.6), Vec<2>(1, 2)));
     row = elevations(scene, probe);
     CHECK(row[0] == Approx(2).margin(1e-3));
 }
@@ -90,7 +90,7 @@ TEST_CASE("the surface is the highest place that fluid fills to a half; drops do
 TEST_CASE("a slope is found where it crosses the gauge") {
     Scene<2> scene;
     scene.spacing = 0.02;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     std::vector<Index> dry;
     const auto height = [](double x) { return 0.4 + 0.2 * x; };
     for (std::size_t i = 0; i < water.size(); ++i) {
@@ -107,9 +107,8 @@ TEST_CASE("a slope is found where it crosses the gauge") {
 
 TEST_CASE("points above each other are one gauge, also across a periodic boundary") {
     Scene<2> scene;
-    scene.world.domain.bounds = {Vec<2>(0, 0), Vec<2>(1, 1)};
-    scene.world.domain.periodic = {true, false};
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 0.5)});
+    scene.repeat(0, Vec<2>(0, 0), Vec<2>(1, 1));
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
     Body<2>& probe = scene.observer(
         {Vec<2>(0, 0), Vec<2>(0, 0.1), Vec<2>(0, 0.2), Vec<2>(1, 0), Vec<2>(0.5, 0)}, {&water});
     const std::vector<double> row = elevations(scene, probe);
@@ -121,15 +120,15 @@ TEST_CASE("points above each other are one gauge, also across a periodic boundar
 TEST_CASE("the surface of a case is written like any series") {
     TemporaryFolder folder;
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 0.5)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
     Body<2>& probe = scene.observer({Vec<2>(0.25, 0), Vec<2>(3, 0)}, {&water});
     const Entry entry("{type: observe, observer: probe, quantity: surface_elevation}");
-    entry.make(scene.context(folder.path()))->write(clockAt(0));
+    entry.make(outputContext(scene, folder.path()))->write(clockAt(0));
     const std::string text = readFile(folder / "row.csv", 1000);
     CHECK_THAT(text, Catch::StartsWith("time [s],elevation_0 [m],elevation_1 [m],position_0_x [m],"
                                        "position_0_y [m],position_1_x [m],position_1_y [m]\n"));
     CHECK_THAT(text, Catch::EndsWith(",nan,0.25,0,3,0\n"));
-    probe.sees = {&scene.wall("wall")};
-    CHECK_THAT(errorOf([&] { entry.make(scene.context(folder.path())); }),
+    probe.sees = {&scene.wall("wall", {})};
+    CHECK_THAT(errorOf([&] { entry.make(outputContext(scene, folder.path())); }),
                Catch::Contains("the observer 'probe' sees no fluid"));
 }

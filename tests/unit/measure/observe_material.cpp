@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/observe_material.h"
 
-#include "../io/scene.h"
+#include "../memory_archive.h"
+#include "../scene/scene.h"
+#include "../scene/values.h"
 #include "core/errors.h"
 
 #include <catch2/catch.hpp>
@@ -18,7 +20,7 @@ namespace {
 
 /// A block, and an observer of one point in it that follows the material.
 struct Block : Scene<2> {
-    Body<2>& block = fluid("block", {Vec<2>(0, 0), Vec<2>(1, 1)});
+    Body<2>& block = fluid("block", box(Vec<2>(0, 0), Vec<2>(1, 1)));
     Body<2>& probe = observer({Vec<2>(0.62, 0.43)}, {&block});
     MaterialWeights<2> weights{probe, relations, world.domain};
 
@@ -35,10 +37,7 @@ struct Block : Scene<2> {
         return parts;
     }
     void sort() {
-        AlignedVector<Index> order(block.size());
-        for (std::size_t i = 0; i < order.size(); ++i)
-            order[i] = static_cast<Index>(order.size() - 1 - i);
-        block.particles.permute(order);
+        block.particles.permute(reversed(block));
         ++block.version;
     }
 };
@@ -146,8 +145,7 @@ TEST_CASE("a resumed run knows the particles of a point of the material") {
 
 TEST_CASE("a point of the material passes through a periodic boundary") {
     Block scene;
-    scene.world.domain.bounds = {Vec<2>(-1, -1), Vec<2>(2, 2)};
-    scene.world.domain.periodic = {true, false};
+    scene.repeat(0, Vec<2>(-1, -1), Vec<2>(2, 2));
     scene.weights.update();
     scene.move(Vec<2>(1.4, 0));
     int beyond = 0;

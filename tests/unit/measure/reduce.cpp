@@ -18,7 +18,7 @@ namespace {
 /// A block of 1 x 1 (x 1) with density 2, so of mass 2.
 template <int Dim>
 struct Block : Scene<Dim> {
-    Body<Dim>& water = this->fluid("water", {Vec<Dim>::Zero(), Vec<Dim>::Ones()});
+    Body<Dim>& water = this->fluid("water", this->box(Vec<Dim>::Zero(), Vec<Dim>::Ones()));
     ReducedBody<Dim> reduced{&water, {}, {}};
     Field<Vec<Dim>>& x = water.particles.position();
     Field<Vec<Dim>>& v = water.particles.vector(fields::velocity);
@@ -108,7 +108,7 @@ TEST_CASE("extremes of a body, and of one without particles") {
 TEST_CASE("sums do not depend on the number of threads") {
     Scene<2> scene;
     scene.spacing = 0.01;
-    Body<2>& water = scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
+    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     water.fluid().gravity = Vec<2>(0.1, -9);
     for (std::size_t i = 0; i < water.size(); ++i)
         water.particles.vector(fields::velocity)[i] = Vec<2>(std::sin(1.0 * i), std::cos(3.0 * i));
@@ -123,11 +123,11 @@ TEST_CASE("sums do not depend on the number of threads") {
 TEST_CASE("reductions of a case are named and checked") {
     TemporaryFolder folder;
     Scene<2> scene;
-    scene.fluid("water", {Vec<2>(0, 0), Vec<2>(1, 1)});
-    scene.fill(scene.wall("wall"), {Vec<2>(0, -1), Vec<2>(1, 0)});
+    scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    scene.add("wall", WallRole{});  // a body without fields
     const auto header = [&](const std::string& quantity) {
         Entry("{type: reduce, body: water, quantity: " + quantity + "}")
-            .make(scene.context(folder.path()))
+            .make(outputContext(scene, folder.path()))
             ->write(clockAt(0));
         const std::string text = readFile(folder / "row.csv", 10000);
         std::filesystem::remove(folder / "row.csv");
@@ -143,7 +143,7 @@ TEST_CASE("reductions of a case are named and checked") {
     CHECK(header("front_position") == "time [s],front_position [m]");
 
     const auto error = [&](const std::string& yaml) {
-        return errorOf([&] { Entry(yaml).make(scene.context(folder.path())); });
+        return errorOf([&] { Entry(yaml).make(outputContext(scene, folder.path())); });
     };
     using Catch::StartsWith;
     CHECK_THAT(

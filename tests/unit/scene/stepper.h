@@ -5,7 +5,7 @@
 #include "bodies/shares.h"
 #include "dynamics/solid/linear_correction.h"
 #include "dynamics/solid/stress_relaxation.h"
-#include "elastic.h"
+#include "scene.h"
 
 #include <functional>
 #include <vector>
@@ -32,8 +32,10 @@ struct Stepper {
     Clock clock;
 
     /// `others`: those besides that have to announce themselves or to be prepared.
-    Stepper(Context<Dim>& context, Body<Dim>& stepped, std::vector<Method*> others = {})
-        : body(stepped), correction(context, stepped), relaxation(context, stepped, true, true) {
+    Stepper(Scene<Dim>& scene, Body<Dim>& stepped, std::vector<Method*> others = {})
+        : body(stepped),
+          correction(scene.context, stepped),
+          relaxation(scene.context, stepped, true, true) {
         others.insert(others.end(), {&correction, &relaxation});
         for (Method* method : others) method->announce();
         findShares(body);
