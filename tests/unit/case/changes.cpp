@@ -3,9 +3,9 @@
 #include "case/language/changes.h"
 
 #include "case/language/read.h"
-#include "case/language/register.h"
 #include "case/run/physics_text.h"
 #include "case/run/show.h"
+#include "registry.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,14 +14,7 @@ using namespace sphinx::model;
 
 namespace {
 
-Case read(const std::string& text) {
-    static const auto registry = [] {
-        auto all = std::make_unique<input::Registry>();
-        registerAll(*all);
-        return all;
-    }();
-    return readCaseText("case.yaml", text, *registry);
-}
+Case read(const std::string& text) { return readCaseText("case.yaml", text, test::registry()); }
 
 std::string sorted(int version) {
     return "sphinx: " + std::to_string(version) + R"yaml(

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/build/access.h"
 #include "case/language/read.h"
-#include "case/language/register.h"
 #include "case/run/show.h"
 #include "core/errors.h"
+#include "registry.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -14,15 +14,6 @@
 using namespace sphinx;
 
 namespace {
-
-const input::Registry& registry() {
-    static const input::Registry* all = [] {
-        auto* made = new input::Registry;
-        registerAll(*made);
-        return made;
-    }();
-    return *all;
-}
 
 const char* const dam_break = R"yaml(sphinx: 2
 title: dam break
@@ -78,7 +69,7 @@ loop:
 )yaml";
 
 model::Case read(const std::string& text) {
-    return model::readCaseText("case.yaml", text, registry());
+    return model::readCaseText("case.yaml", text, test::registry());
 }
 
 std::string errorOf(const std::string& text) {

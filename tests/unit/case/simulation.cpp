@@ -4,7 +4,7 @@
 
 #include "../io/support.h"
 #include "case/language/read.h"
-#include "case/language/register.h"
+#include "registry.h"
 
 #include <catch2/catch.hpp>
 
@@ -40,14 +40,7 @@ loop:
   steps: [gravity, relaxation.first_half, relaxation.second_half, neighbors]
 )yaml";
 
-Case fallingBlock() {
-    static const input::Registry* all = [] {
-        auto* made = new input::Registry;
-        registerAll(*made);
-        return made;
-    }();
-    return readCaseText("falling_block.yaml", falling_block, *all);
-}
+Case fallingBlock() { return readCaseText("falling_block.yaml", falling_block, test::registry()); }
 
 std::map<std::int64_t, Vec<2>> placesById(Simulation<2>& simulation) {
     ParticleSet<2>& particles = simulation.world().find("water")->particles;
