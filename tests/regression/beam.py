@@ -46,6 +46,20 @@ def zeros(t, x):
     return t[k] - x[k] * (t[k + 1] - t[k]) / (x[k + 1] - x[k])
 
 
+def energy_change(run):
+    """Largest change of all energy since the start, of it."""
+    energy = run.series("energy")["total"]
+    return abs(energy / energy[0] - 1).max()
+
+
+def compare(axes, reference, found, label, components="xy", column="u{}", scale=1):
+    """Draws each component of the tip, and beside it that of a column of the reference."""
+    for k, c in enumerate(components):
+        [drawn] = axes.plot(reference["t"], scale * reference[column.format(c)], "--",
+                            label=f"finite elements, {c}")
+        axes.plot(found["t"], scale * found["u"][:, k], "-", color=drawn.get_color(), label=f"{label}, {c}")
+
+
 def extrapolated(across, values):
     """(order p, limit f) of f + c h^p through values at three h = 1/across: Richardson."""
     h = 1 / np.array(across, dtype=float)

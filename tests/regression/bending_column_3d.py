@@ -31,41 +31,36 @@ def measure(across, end=1.0, name="case"):
     out = u @ np.array([0, np.sqrt(3) / 2, 0.5])
     times, values = beam.extremes(t, out)
     largest = values.argmax()
-    energy = run.series("energy")["total"]
     return {"t": t, "u": u, "out": values[largest], "time": times[largest],
             "back": np.interp(times[largest], t, u[:, 0]), "zeros": beam.zeros(t, out),
-            "energy": abs(energy / energy[0] - 1).max()}
+            "energy": beam.energy_change(run)}
 
 
 def plot():
     figure, axes = checks.new_plot(8, 4)
     reference = checks.reference("bending_column_3d", "tip.csv")
     found = measure(8, 0.6)
-    for k, c in enumerate("xyz"):
-        [drawn] = axes.plot(reference["t"], reference[f"u{c}_ctr"], "--", label=f"finite elements, {c}")
-        axes.plot(found["t"], found["u"][:, k], "-", color=drawn.get_color(), label=f"1/8 m, {c}")
+    beam.compare(axes, reference, found, "1/8 m", "xyz", "u{}_ctr")
     axes.set(xlabel="t [s]", ylabel="displacement of the tip [m]", xlim=(0, 0.6), title="Bending column")
     axes.legend(fontsize="small", ncols=3)
     checks.save_plot(figure, "bending_column_3d", "tip.png")
 
 
+def study():
+    rows = {}
+    for across in (4, 8, 12):
+        found = measure(across, 0.6)
+        rows[across] = found["out"], found["time"], found["back"]
+    beam.study(rows, REFERENCE)
+    rows = {}
+    for across in (4, 8, 12):
+        found = measure(across, name="uniform")
+        rows[across] = found["out"], found["time"], found["back"], found["zeros"][0]
+    beam.study(rows, UNIFORM)
+
+
 def main():
-    options = checks.arguments()
-    if options.plot:
-        plot()
-        return
-    if options.study:
-        rows = {}
-        for across in (4, 8, 12):
-            found = measure(across, 0.6)
-            rows[across] = found["out"], found["time"], found["back"]
-        beam.study(rows, REFERENCE)
-        rows = {}
-        for across in (4, 8, 12):
-            found = measure(across, name="uniform")
-            rows[across] = found["out"], found["time"], found["back"], found["zeros"][0]
-        beam.study(rows, UNIFORM)
-        return
+    options = checks.arguments(study=study, plot=plot)
     across = 8 if options.long else 4
     found = measure(across, 0.6)
     report = checks.Report()

@@ -80,17 +80,15 @@ def plot(case, table_name, exact, title):
     checks.save_plot(figure, case, "profiles.png")
 
 
+def study(case, exact):
+    for spacing in (1 / 10, 1 / 20, 1 / 40):
+        found = errors(case, exact, spacing)
+        print(f"| 1/{round(1 / spacing)} |", " | ".join(f"{100 * found[t][0]:.2f}" for t in TIMES),
+              f"| {100 * max(e[1] for e in found.values()):.2f} |")
+
+
 def main(case, table_name, exact, title):
-    options = checks.arguments()
-    if options.plot:
-        plot(case, table_name, exact, title)
-        return
-    if options.study:
-        for spacing in (1 / 10, 1 / 20, 1 / 40):
-            found = errors(case, exact, spacing)
-            print(f"| 1/{round(1 / spacing)} |", " | ".join(f"{100 * found[t][0]:.2f}" for t in TIMES),
-                  f"| {100 * max(e[1] for e in found.values()):.2f} |")
-        return
+    checks.arguments(study=lambda: study(case, exact), plot=lambda: plot(case, table_name, exact, title))
     report = checks.Report()
     check_reference(report, case, table_name, exact)
     found = errors(case, exact, SPACING)

@@ -29,11 +29,19 @@ SPHINX = os.environ.get("SPHINX", str(REPOSITORY / "build/release/sphinx"))
 SECONDS = 3600
 
 
-def arguments():
+def arguments(**instead):
+    """The options. Where `study` or `plot` is asked for and given here as a function, that is done
+    in place of the test."""
     parser = argparse.ArgumentParser()
     for name in ("long", "study", "plot"):
         parser.add_argument(f"--{name}", action="store_true")
-    return parser.parse_args()
+    options = parser.parse_args()
+    asked = [make for name, make in instead.items() if getattr(options, name)]
+    for make in asked:
+        make()
+    if asked:
+        sys.exit(0)
+    return options
 
 
 class Run:

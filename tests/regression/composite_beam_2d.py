@@ -45,24 +45,26 @@ def measure(across):
             "phase": np.arctan2(driven[1], driven[0]), "own": own / OWN - 1, "driven": driven}
 
 
+def study():
+    for across in (5, 10, 20):
+        found = measure(across)
+        print(f"| H/{across} | {EXACT * (1 + found['amplitude']):.3f} | {100 * found['amplitude']:+.2f} | "
+              f"{100 * found['own']:+.1f} |", flush=True)
+
+
+def plot():
+    figure, axes = checks.new_plot()
+    found = measure(10)
+    t, late = found["t"], found["t"] > RISE
+    axes.plot(t, found["tip"] / AMPLITUDE, label="tip, H/10")
+    axes.plot(t[late], EXACT * np.sin(RATIO * OWN * t[late]), "k--", lw=0.8, label="closed form, steady")
+    axes.set(xlabel="t [s]", ylabel="displacement, in amplitudes of the cylinder")
+    axes.legend()
+    checks.save_plot(figure, CASE, "tip.png")
+
+
 def main():
-    options = checks.arguments()
-    if options.study:
-        for across in (5, 10, 20):
-            found = measure(across)
-            print(f"| H/{across} | {EXACT * (1 + found['amplitude']):.3f} | {100 * found['amplitude']:+.2f} | "
-                  f"{100 * found['own']:+.1f} |", flush=True)
-        return
-    if options.plot:
-        figure, axes = checks.new_plot()
-        found = measure(10)
-        t, late = found["t"], found["t"] > RISE
-        axes.plot(t, found["tip"] / AMPLITUDE, label="tip, H/10")
-        axes.plot(t[late], EXACT * np.sin(RATIO * OWN * t[late]), "k--", lw=0.8, label="closed form, steady")
-        axes.set(xlabel="t [s]", ylabel="displacement, in amplitudes of the cylinder")
-        axes.legend()
-        checks.save_plot(figure, CASE, "tip.png")
-        return
+    options = checks.arguments(study=study, plot=plot)
     report = checks.Report()
     across = 10 if options.long else 5
     found = measure(across)

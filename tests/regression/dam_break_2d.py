@@ -67,13 +67,7 @@ def study():
 
 
 def main():
-    options = checks.arguments()
-    if options.study or options.plot:
-        if options.plot:
-            plot()
-        if options.study:
-            study()
-        return
+    options = checks.arguments(study=study, plot=plot)
     report = checks.Report()
     found = measure(20 if options.long else 6)
     report.check("pressure first above 0.1, at T", found["arrival"],

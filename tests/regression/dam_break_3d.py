@@ -43,14 +43,15 @@ def measure(spacing, end):
     }
 
 
+def study():
+    for cells in (10, 20, 30):
+        found = measure(1 / cells, 6)
+        print(f"| 1/{cells} |", " | ".join(f"{t:.3f} ({flat:.3f})" for _, t, flat in found["fronts"]),
+              f"| {found['arrival']:.2f} | {found['plateau']:.2f} | {found['rise']:.1e} | {found['end']:.3f} |")
+
+
 def main():
-    options = checks.arguments()
-    if options.study:
-        for cells in (10, 20, 30):
-            found = measure(1 / cells, 6)
-            print(f"| 1/{cells} |", " | ".join(f"{t:.3f} ({flat:.3f})" for _, t, flat in found["fronts"]),
-                  f"| {found['arrival']:.2f} | {found['plateau']:.2f} | {found['rise']:.1e} | {found['end']:.3f} |")
-        return
+    options = checks.arguments(study=study)
     found = measure(SPACING, 6 if options.long else 2.8)
     report = checks.Report()
     for x, t, flat in found["fronts"]:

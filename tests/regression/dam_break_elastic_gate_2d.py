@@ -83,11 +83,7 @@ def plot():
 
 
 def main():
-    options = checks.arguments()
-    if options.study:
-        return study()
-    if options.plot:
-        return plot()
+    options = checks.arguments(study=study, plot=plot)
     report = checks.Report()
     one = measure("case.yaml", 4)
     opens_as_measured(report, one, 4)

@@ -97,13 +97,7 @@ def plot():
 
 
 def main():
-    options = checks.arguments()
-    if options.study or options.plot:
-        if options.plot:
-            plot()
-        if options.study:
-            study()
-        return
+    options = checks.arguments(study=study, plot=plot)
     found = measure(0.025, 8, 6 if options.long else 0.62)
     report = checks.Report()
     for k in range(3):

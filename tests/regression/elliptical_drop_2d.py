@@ -52,28 +52,31 @@ def measure(spacing):
             "area": short * long / (a * b) - 1, "energy": 1 - energy[-1] / energy[0]}
 
 
-def main():
-    options = checks.arguments()
-    if options.study:
-        for cells in (20, 40, 80):
-            found = measure(1 / cells)
-            print(f"| 1/{cells} |", " | ".join(
-                f"{100 * found[key]:+.2f}" for key in ("long", "short", "area", "energy")), "|")
-        return
+def study():
+    for cells in (20, 40, 80):
+        found = measure(1 / cells)
+        print(f"| 1/{cells} |", " | ".join(
+            f"{100 * found[key]:+.2f}" for key in ("long", "short", "area", "energy")), "|")
+
+
+def plot():
     found = measure(1 / 40)
-    if options.plot:
-        table = checks.reference("elliptical_drop_2d", "elliptical_drop.csv")
-        inside = table["t"] < 0.0081
-        figure, axes = checks.new_plot()
-        axes.plot(1e3 * table["t"][inside], table["a"][inside], "k-", label="closed form")
-        axes.plot(1e3 * table["t"][inside], table["b"][inside], "k-")
-        t, short, long = found["history"].T
-        axes.plot(1e3 * t, long, "o", label="long semi-axis")
-        axes.plot(1e3 * t, short, "s", label="short semi-axis")
-        axes.set(xlabel="t [ms]", ylabel="semi-axis [m]", title="Elliptical drop, spacing R/40")
-        axes.legend()
-        checks.save_plot(figure, "elliptical_drop_2d", "axes.png")
-        return
+    table = checks.reference("elliptical_drop_2d", "elliptical_drop.csv")
+    inside = table["t"] < 0.0081
+    figure, axes = checks.new_plot()
+    axes.plot(1e3 * table["t"][inside], table["a"][inside], "k-", label="closed form")
+    axes.plot(1e3 * table["t"][inside], table["b"][inside], "k-")
+    t, short, long = found["history"].T
+    axes.plot(1e3 * t, long, "o", label="long semi-axis")
+    axes.plot(1e3 * t, short, "s", label="short semi-axis")
+    axes.set(xlabel="t [ms]", ylabel="semi-axis [m]", title="Elliptical drop, spacing R/40")
+    axes.legend()
+    checks.save_plot(figure, "elliptical_drop_2d", "axes.png")
+
+
+def main():
+    checks.arguments(study=study, plot=plot)
+    found = measure(1 / 40)
     report = checks.Report()
     table = checks.reference("elliptical_drop_2d", "elliptical_drop.csv")
     row = np.argmin(np.abs(table["t"] - 0.0076))

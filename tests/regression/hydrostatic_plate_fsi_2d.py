@@ -26,25 +26,27 @@ def measure(across):
             "peak": abs(w - w.mean()).max() / w.mean()}
 
 
+def study():
+    for across in (4, 6, 8, 12):
+        found = measure(across)
+        print(f"| {across} | {1e5 * found['mean']:.3f} | {100 * (found['mean'] / EXACT - 1):+.1f} | "
+              f"{100 * found['rms']:.1f} | {100 * found['peak']:.1f} |", flush=True)
+
+
+def plot():
+    figure, axes = checks.new_plot()
+    for across, style in ((4, "-"), (8, "--")):
+        series = measure(across)["series"]
+        axes.plot(series["time"], 1e5 * series["displacement_y"], style, label=f"h/{across}", lw=0.8)
+    axes.axhline(-1e5 * EXACT, color="k", label="finite elements")
+    axes.axvspan(SETTLED, SETTLED + 0.1, alpha=0.15, label="nothing is damped")
+    axes.set(xlabel="t [s]", ylabel="displacement of the middle [1e-5 m]", ylim=(-16, 1))
+    axes.legend()
+    checks.save_plot(figure, CASE, "middle.png")
+
+
 def main():
-    options = checks.arguments()
-    if options.study:
-        for across in (4, 6, 8, 12):
-            found = measure(across)
-            print(f"| {across} | {1e5 * found['mean']:.3f} | {100 * (found['mean'] / EXACT - 1):+.1f} | "
-                  f"{100 * found['rms']:.1f} | {100 * found['peak']:.1f} |", flush=True)
-        return
-    if options.plot:
-        figure, axes = checks.new_plot()
-        for across, style in ((4, "-"), (8, "--")):
-            series = measure(across)["series"]
-            axes.plot(series["time"], 1e5 * series["displacement_y"], style, label=f"h/{across}", lw=0.8)
-        axes.axhline(-1e5 * EXACT, color="k", label="finite elements")
-        axes.axvspan(SETTLED, SETTLED + 0.1, alpha=0.15, label="nothing is damped")
-        axes.set(xlabel="t [s]", ylabel="displacement of the middle [1e-5 m]", ylim=(-16, 1))
-        axes.legend()
-        checks.save_plot(figure, CASE, "middle.png")
-        return
+    options = checks.arguments(study=study, plot=plot)
     report = checks.Report()
     across = 8 if options.long else 4
     found = measure(across)

@@ -64,23 +64,24 @@ def measure(case, particles):
     return 1 - sections / HALF, mean, law, energy["kinetic"][-1] / energy["internal"][-1]
 
 
+def plot():
+    figure, axes = checks.new_plot()
+    for case, along in ALONG.items():
+        weight, stretch, _, _ = measure(case, 8)
+        line = np.linspace(1, stretch.max() + 0.01, 60)
+        [drawn] = axes.plot(line, [10 * uniaxial(v, case == "case") for v in line], "-",
+                            label=f"law, along the {along}")
+        axes.plot(stretch, 10 * weight, "o", color=drawn.get_color(), markersize=4,
+                  label=f"sections of the block, along the {along}")
+    axes.set(xlabel="stretch", ylabel="first Piola-Kirchhoff stress [kPa]",
+             title="Muscle block, 8 particles across")
+    axes.legend()
+    checks.save_plot(figure, "muscle_block_3d", "stress.png")
+
+
 def main():
-    options = checks.arguments()
+    options = checks.arguments(plot=plot)
     report = checks.Report()
-    if options.plot:
-        figure, axes = checks.new_plot()
-        for case, along in ALONG.items():
-            weight, stretch, _, _ = measure(case, 8)
-            line = np.linspace(1, stretch.max() + 0.01, 60)
-            [drawn] = axes.plot(line, [10 * uniaxial(v, case == "case") for v in line], "-",
-                                label=f"law, along the {along}")
-            axes.plot(stretch, 10 * weight, "o", color=drawn.get_color(), markersize=4,
-                      label=f"sections of the block, along the {along}")
-        axes.set(xlabel="stretch", ylabel="first Piola-Kirchhoff stress [kPa]",
-                 title="Muscle block, 8 particles across")
-        axes.legend()
-        checks.save_plot(figure, "muscle_block_3d", "stress.png")
-        return
     for case, along in ALONG.items():
         for particles in (4, 6, 8) if options.study else (8 if options.long else 4,):
             weight, stretch, law, swing = measure(case, particles)

@@ -25,10 +25,9 @@ def measure(name, across, end=0.3):
     run = checks.Run(f"oscillating_plate_2d/{name}.yaml", f"variables.spacing=thickness/{across}",
                      "outputs.fields.every={time: 10}", f"loop.end_time={end}")
     t, u = beam.tip(run)
-    energy = run.series("energy")["total"]
     return {"t": t, "y": u[:, 1], "period": beam.zeros(t, u[:, 1])[1],
             "amplitude": beam.extremes(t, u[:, 1])[1][0],
-            "energy": abs(energy / energy[0] - 1).max()}
+            "energy": beam.energy_change(run)}
 
 
 def plot():
@@ -44,10 +43,7 @@ def plot():
 
 
 def main():
-    options = checks.arguments()
-    if options.plot:
-        plot()
-        return
+    options = checks.arguments(plot=plot)
     report = checks.Report()
     for name, (period, amplitude) in REFERENCE.items():
         if options.study:

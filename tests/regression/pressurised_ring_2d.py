@@ -70,28 +70,30 @@ def measure(kind, across):
             "stress": hoop[middle].sum() / exact_hoop_stress(r[middle]).sum() - 1}
 
 
+def study():
+    for across in (5, 10, 20, 40):
+        print(f"| {across} |", " | ".join(f"{100 * found[what]:+.1f}"
+                                         for found in (measure("lattice", across), measure("rings", across))
+                                         for what in ("displacement", "stress")), "|", flush=True)
+
+
+def plot():
+    figure, axes = checks.new_plot()
+    r = np.linspace(A, B, 101)
+    for kind, marker in (("lattice", "."), ("rings", "+")):
+        found = measure(kind, 10)
+        axes.plot(found["r"], 1e3 * found["u"], marker, ms=5, label=f"particles: {kind}")
+    axes.plot(r, 1e3 * exact_displacement(r), "k-", lw=0.8, label="Lame")
+    axes.set(xlabel="r [m]", ylabel="radial displacement [mm]")
+    axes.legend()
+    checks.save_plot(figure, CASE, "displacement.png")
+
+
 def main():
     if "--particles" in sys.argv:
         write(checks.CASES / CASE / "rings.csv", 10)
         return
-    options = checks.arguments()
-    if options.study:
-        for across in (5, 10, 20, 40):
-            print(f"| {across} |", " | ".join(f"{100 * found[what]:+.1f}"
-                                             for found in (measure("lattice", across), measure("rings", across))
-                                             for what in ("displacement", "stress")), "|", flush=True)
-        return
-    if options.plot:
-        figure, axes = checks.new_plot()
-        r = np.linspace(A, B, 101)
-        for kind, marker in (("lattice", "."), ("rings", "+")):
-            found = measure(kind, 10)
-            axes.plot(found["r"], 1e3 * found["u"], marker, ms=5, label=f"particles: {kind}")
-        axes.plot(r, 1e3 * exact_displacement(r), "k-", lw=0.8, label="Lame")
-        axes.set(xlabel="r [m]", ylabel="radial displacement [mm]")
-        axes.legend()
-        checks.save_plot(figure, CASE, "displacement.png")
-        return
+    checks.arguments(study=study, plot=plot)
     report = checks.Report()
     for kind in ("lattice", "rings"):
         found = measure(kind, 10)

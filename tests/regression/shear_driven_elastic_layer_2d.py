@@ -39,26 +39,29 @@ def measure(rows):
             "profile": profile, "flow": flow}
 
 
-def main():
-    options = checks.arguments()
-    if options.study:
-        for rows in (10, 20, 40):
-            found = measure(rows)
-            print(f"| {rows // 2} |", " | ".join(f"{100 * found[what]:+.1f}" for what in LIMITS), "|", flush=True)
-        return
+def study():
+    for rows in (10, 20, 40):
+        found = measure(rows)
+        print(f"| {rows // 2} |", " | ".join(f"{100 * found[what]:+.1f}" for what in LIMITS), "|", flush=True)
+
+
+def plot():
     found = measure(20)
-    if options.plot:
-        figure, axes = checks.new_plot()
-        y, u = found["profile"]
-        axes.plot([0, 1], [0, 1], "k-", lw=0.8, label="closed form")
-        axes.plot([0, SHEAR * LAYER * 100], [-LAYER, 0], "k-", lw=0.8)
-        axes.plot(found["flow"]["velocity"][:, 0], found["flow"]["position"][:, 1], ".", ms=3,
-                  label="velocity of the oil")
-        axes.plot(100 * np.array(u), y, ".", ms=3, label="100 x displacement of the layer")
-        axes.set(xlabel="along the lid", ylabel="y")
-        axes.legend()
-        checks.save_plot(figure, CASE, "profiles.png")
-        return
+    figure, axes = checks.new_plot()
+    y, u = found["profile"]
+    axes.plot([0, 1], [0, 1], "k-", lw=0.8, label="closed form")
+    axes.plot([0, SHEAR * LAYER * 100], [-LAYER, 0], "k-", lw=0.8)
+    axes.plot(found["flow"]["velocity"][:, 0], found["flow"]["position"][:, 1], ".", ms=3,
+              label="velocity of the oil")
+    axes.plot(100 * np.array(u), y, ".", ms=3, label="100 x displacement of the layer")
+    axes.set(xlabel="along the lid", ylabel="y")
+    axes.legend()
+    checks.save_plot(figure, CASE, "profiles.png")
+
+
+def main():
+    checks.arguments(study=study, plot=plot)
+    found = measure(20)
     report = checks.Report()
     for what, limit in LIMITS.items():
         report.check(f"{what} less that of theory, of it", found[what], -limit, limit)

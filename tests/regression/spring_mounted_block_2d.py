@@ -48,25 +48,28 @@ def measure(*settings):
             "decrement": (decay / frequency) / (RATIO * OMEGA / DAMPED) - 1}
 
 
-def main():
-    options = checks.arguments()
-    if options.study:
-        for rows in (5, 10, 20):
-            for modulus in (10, 100, 1000) if rows == 5 else (100,):
-                found = measure(f"variables.spacing=height/{rows}",
-                                f"materials.rubber.youngs_modulus={modulus} MPa")
-                print(f"| {rows} | {modulus} | {100 * found['off']:.2f} | {100 * found['period']:+.3f} | "
-                      f"{100 * found['decrement']:+.2f} |", flush=True)
-        return
+def study():
+    for rows in (5, 10, 20):
+        for modulus in (10, 100, 1000) if rows == 5 else (100,):
+            found = measure(f"variables.spacing=height/{rows}",
+                            f"materials.rubber.youngs_modulus={modulus} MPa")
+            print(f"| {rows} | {modulus} | {100 * found['off']:.2f} | {100 * found['period']:+.3f} | "
+                  f"{100 * found['decrement']:+.2f} |", flush=True)
+
+
+def plot():
     found = measure()
-    if options.plot:
-        figure, axes = checks.new_plot()
-        axes.plot(found["t"], 1e3 * exact(found["t"]), "k-", lw=0.8, label="closed form")
-        axes.plot(found["t"][::10], 1e3 * found["u"][::10], ".", ms=4, label="particles")
-        axes.set(xlabel="t [s]", ylabel="the centre is down by [mm]")
-        axes.legend()
-        checks.save_plot(figure, CASE, "centre.png")
-        return
+    figure, axes = checks.new_plot()
+    axes.plot(found["t"], 1e3 * exact(found["t"]), "k-", lw=0.8, label="closed form")
+    axes.plot(found["t"][::10], 1e3 * found["u"][::10], ".", ms=4, label="particles")
+    axes.set(xlabel="t [s]", ylabel="the centre is down by [mm]")
+    axes.legend()
+    checks.save_plot(figure, CASE, "centre.png")
+
+
+def main():
+    checks.arguments(study=study, plot=plot)
+    found = measure()
     report = checks.Report()
     report.check("largest difference from the closed form, of the deflection", found["off"], 0, 0.003)
     report.check("period less that of theory, of it", found["period"], -1e-3, 1e-3)

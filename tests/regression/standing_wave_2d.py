@@ -51,27 +51,30 @@ def measure(spacing):
             "energy": energy["total"][-1] - energy["total"][0], "wave": energy["kinetic"][0]}
 
 
+def study():
+    for spacing in (0.04, 0.02, 0.01):
+        found = measure(spacing)
+        print(f"| 1/{1 / spacing:g} | {found['period']:.4f} | {100 * (found['period'] / PERIOD - 1):+.2f} | "
+              f"{found['amplitude']:.3f} | {found['energy'] / found['wave']:+.2f} |")
+
+
+def plot():
+    found = measure(0.02)
+    figure, axes = checks.new_plot(8, 4)
+    t = np.linspace(0, found["t"][-1], 500)
+    elevation = found["elevation"]
+    middle = [name for name in elevation if name.startswith("elevation_")][1]
+    axes.plot(t, -0.05 * np.sin(2 * np.pi * t / PERIOD), "k-", label=f"undamped, T = {PERIOD} s")
+    axes.plot(elevation["time"], elevation[middle] - 1, "-", label="surface at x = 1 m")
+    axes.set(xlabel="t [s]", ylabel="elevation [m]", title="Standing wave, spacing H/50")
+    axes.legend()
+    checks.save_plot(figure, "standing_wave_2d", "elevation.png")
+
+
 def main():
-    options = checks.arguments()
-    if options.study:
-        for spacing in (0.04, 0.02, 0.01):
-            found = measure(spacing)
-            print(f"| 1/{1 / spacing:g} | {found['period']:.4f} | {100 * (found['period'] / PERIOD - 1):+.2f} | "
-                  f"{found['amplitude']:.3f} | {found['energy'] / found['wave']:+.2f} |")
-        return
-    spacing = 0.02 if options.long or options.plot else 0.04
+    options = checks.arguments(study=study, plot=plot)
+    spacing = 0.02 if options.long else 0.04
     found = measure(spacing)
-    if options.plot:
-        figure, axes = checks.new_plot(8, 4)
-        t = np.linspace(0, found["t"][-1], 500)
-        elevation = found["elevation"]
-        middle = [name for name in elevation if name.startswith("elevation_")][1]
-        axes.plot(t, -0.05 * np.sin(2 * np.pi * t / PERIOD), "k-", label=f"undamped, T = {PERIOD} s")
-        axes.plot(elevation["time"], elevation[middle] - 1, "-", label="surface at x = 1 m")
-        axes.set(xlabel="t [s]", ylabel="elevation [m]", title="Standing wave, spacing H/50")
-        axes.legend()
-        checks.save_plot(figure, "standing_wave_2d", "elevation.png")
-        return
     report = checks.Report()
     report.check("period less that of theory, of it", found["period"] / PERIOD - 1,
                  -PERIOD_LIMIT, PERIOD_LIMIT)

@@ -47,9 +47,7 @@ def plot():
     figure, axes = checks.new_plot(8, 4)
     reference = checks.reference("turek_csm_2d", "tip.csv")
     found = swinging(10, 2)
-    for k, c in enumerate("xy"):
-        [drawn] = axes.plot(reference["t"], 1000 * reference[f"u{c}"], "--", label=f"finite elements, {c}")
-        axes.plot(found["t"], 1000 * found["u"][:, k], "-", color=drawn.get_color(), label=f"H/10, {c}")
+    beam.compare(axes, reference, found, "H/10", scale=1000)
     axes.set(xlabel="t [s]", ylabel="displacement of A [mm]", xlim=(0, 2), title="CSM3")
     axes.legend(fontsize="small", ncols=2)
     checks.save_plot(figure, "turek_csm_2d", "tip.png")
@@ -67,13 +65,7 @@ def study():
 
 
 def main():
-    options = checks.arguments()
-    if options.plot:
-        plot()
-        return
-    if options.study:
-        study()
-        return
+    options = checks.arguments(study=study, plot=plot)
     report = checks.Report()
     across = 10 if options.long else 5
     for name, reference in REST.items():

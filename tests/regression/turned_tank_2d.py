@@ -58,13 +58,14 @@ def measure(spacing):
     }
 
 
+def study():
+    for spacing in (0.05, 0.025, 1 / 60):
+        found = measure(spacing)
+        print(f"| 1/{1 / spacing:g} | " + " | ".join(f"{found[name]:.2e}" for name in found) + " |")
+
+
 def main():
-    options = checks.arguments()
-    if options.study:
-        for spacing in (0.05, 0.025, 1 / 60):
-            found = measure(spacing)
-            print(f"| 1/{1 / spacing:g} | " + " | ".join(f"{found[name]:.2e}" for name in found) + " |")
-        return
+    options = checks.arguments(study=study)
     spacing = 0.025 if options.long else 0.05
     found = measure(spacing)
     report = checks.Report()

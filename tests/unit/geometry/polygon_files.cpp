@@ -107,29 +107,24 @@ TEST_CASE("well-known text") {
 
 TEST_CASE("well-known text that is wrong") {
     const Folder folder;
-    CHECK(folder.error("POINT (1 2)") == ":1: expected POLYGON or MULTIPOLYGON but found POINT");
-    CHECK(folder.error("POLYGON EMPTY") == ":1: expected '(' but found 'EMPTY'");
-    CHECK(folder.error("POLYGON Z ((0 0 0, 1 0 0))") == ":1: expected '(' but found 'Z'");
-    CHECK(folder.error("POLYGON ((0 0,\n1 0,\n1 b, 0 0))") ==
-          ":3: expected a number but found 'b'");
-    CHECK(folder.error("POLYGON ((0 0 1, 1 0 1, 1 1 1, 0 0 1))") ==
-          ":1: expected ',' or ')' after two coordinates but found '1'");
-    CHECK(folder.error("POLYGON ((0 0, 1 0, 1 1, 0 0)") ==
-          ":1: expected ')' but found the end of the file");
-    CHECK(folder.error("POLYGON ((0 0, 1 0, 1 1, 0 0)) 7") ==
-          ":1: expected the end of the file but found '7'");
-    CHECK(folder.error("POLYGON ((0 0, 1 0, 1 1))") ==
-          ":1: the last point of a WKT ring must repeat the first");
-    CHECK(folder.error("POLYGON ((0 0, 1 0, 0 0))") ==
-          ":1: a polygon needs at least 3 points, this one has 2");
-    CHECK(folder.error("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0),\n (1 1, 5 1, 2 2, 1 1))") ==
-          ":2: hole 1: edge 1 from (1, 1) to (5, 1) crosses edge 2 from (4, 0) to (4, 4) of the "
-          "outer "
-          "ring; a hole must lie inside");
-    CHECK(folder.error("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (5 5, 6 5, 6 6, 5 5))") ==
-          ":1: hole 1: point 1 at (5, 5) lies outside the outer ring");
-    CHECK(folder.error("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)),\n((0 0, 1 1, 1 0, 0 1, 0 0)))") ==
-          ":2: polygon 2: edge 1 from (0, 0) to (1, 1) crosses edge 3 from (1, 0) to (0, 1); edges "
-          "may "
-          "meet only where one ends and the next begins");
+    const std::vector<std::pair<std::string, std::string>> wrong{
+        {"POINT (1 2)", ":1: expected POLYGON or MULTIPOLYGON but found POINT"},
+        {"POLYGON EMPTY", ":1: expected '(' but found 'EMPTY'"},
+        {"POLYGON Z ((0 0 0, 1 0 0))", ":1: expected '(' but found 'Z'"},
+        {"POLYGON ((0 0,\n1 0,\n1 b, 0 0))", ":3: expected a number but found 'b'"},
+        {"POLYGON ((0 0 1, 1 0 1, 1 1 1, 0 0 1))",
+         ":1: expected ',' or ')' after two coordinates but found '1'"},
+        {"POLYGON ((0 0, 1 0, 1 1, 0 0)", ":1: expected ')' but found the end of the file"},
+        {"POLYGON ((0 0, 1 0, 1 1, 0 0)) 7", ":1: expected the end of the file but found '7'"},
+        {"POLYGON ((0 0, 1 0, 1 1))", ":1: the last point of a WKT ring must repeat the first"},
+        {"POLYGON ((0 0, 1 0, 0 0))", ":1: a polygon needs at least 3 points, this one has 2"},
+        {"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0),\n (1 1, 5 1, 2 2, 1 1))",
+         ":2: hole 1: edge 1 from (1, 1) to (5, 1) crosses edge 2 from (4, 0) to (4, 4) of the "
+         "outer ring; a hole must lie inside"},
+        {"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (5 5, 6 5, 6 6, 5 5))",
+         ":1: hole 1: point 1 at (5, 5) lies outside the outer ring"},
+        {"MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)),\n((0 0, 1 1, 1 0, 0 1, 0 0)))",
+         ":2: polygon 2: edge 1 from (0, 0) to (1, 1) crosses edge 3 from (1, 0) to (0, 1); edges "
+         "may meet only where one ends and the next begins"}};
+    for (const auto& [text, message] : wrong) CHECK(folder.error(text) == message);
 }

@@ -10,11 +10,6 @@ using namespace sphinx::loop::fake;
 
 namespace {
 
-Call limited(Call line, std::optional<double> from, std::optional<double> until) {
-    line.window = {from, until};
-    return line;
-}
-
 /// The dam break with lines before all others.
 struct Marked : DamBreak {
     const Call mark = line(14, "mark", {write("wall", "mark")});

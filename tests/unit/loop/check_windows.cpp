@@ -11,11 +11,6 @@ using namespace sphinx::loop::fake;
 
 namespace {
 
-Call limited(Call line, std::optional<double> from, std::optional<double> until) {
-    line.window = {from, until};
-    return line;
-}
-
 /// The dam break with two relaxations, one until 1 and the other from then on.
 struct Shared : DamBreak {
     Call other_first = limited(first_half, 1.0, {});

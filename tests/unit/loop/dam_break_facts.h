@@ -4,6 +4,7 @@
 
 #include "loop/flow/check.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,10 @@ inline TimeStep estimate(int id, std::string label, std::vector<FieldAccess> acc
 inline Layer layer(int id, std::string name, std::vector<TimeStep> dt, std::vector<Step> steps,
                    Fit fit = Fit::split) {
     return {std::move(name), std::move(dt), {}, fit, std::move(steps), id};
+}
+inline Call limited(Call line, std::optional<double> from, std::optional<double> until) {
+    line.window = {from, until};
+    return line;
 }
 
 /// The declarations of a dam break, line by line; ids as in case files, top to bottom.

@@ -118,6 +118,14 @@ inline Trigger eachSteps(int n, std::string layer = "") {
     return {Trigger::Kind::steps, static_cast<double>(n), std::move(layer)};
 }
 
+inline Plan planUntil(double end_time, Layer outermost, std::vector<OutputEntry> outputs = {}) {
+    Plan plan;
+    plan.end_time = end_time;
+    plan.outermost = std::move(outermost);
+    plan.outputs = std::move(outputs);
+    return plan;
+}
+
 struct Outcome {
     bool finished = false;  ///< the end time was reached
     std::string reason;     ///< why not

@@ -255,9 +255,7 @@ TEST_CASE("a restart of another loop does not load") {
     Run first;
     first.build(1);
     first.go();
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost = fixedLayer("advection", 1, {});
+    Plan plan = planUntil(1, fixedLayer("advection", 1, {}));
     Runner runner(plan);
     MemoryArchive archive(first.checkpoints.back().saved);
     CHECK_THROWS_AS(runner.transfer(archive), FileError);

@@ -34,9 +34,7 @@ struct Frames {
 }  // namespace
 
 TEST_CASE("a run ends after the first step that reaches the end time") {
-    Plan plan;
-    plan.end_time = 1.1;
-    plan.outermost = fixedLayer("outer", 0.25, {});
+    Plan plan = planUntil(1.1, fixedLayer("outer", 0.25, {}));
     Runner runner(plan);
     int steps = 0;
     const Outcome outcome = runAll(runner, [&](const Clock& clock) {
@@ -50,9 +48,7 @@ TEST_CASE("a run ends after the first step that reaches the end time") {
 }
 
 TEST_CASE("ten steps of 0.1 reach an end time of 1") {
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost = fixedLayer("outer", 0.1, {});
+    Plan plan = planUntil(1, fixedLayer("outer", 0.1, {}));
     Runner runner(plan);
     runAll(runner, go_on);
     CHECK(runner.clock().steps == 10);
@@ -75,10 +71,7 @@ TEST_CASE("start calls run once, before the first frame") {
 
 TEST_CASE("outputs fire at the start, once for all multiples passed, and at the end") {
     Frames frames;
-    Plan plan;
-    plan.end_time = 2.75;
-    plan.outermost = fixedLayer("outer", 0.75, {});
-    plan.outputs = {frames.entry(eachTime(0.5))};
+    Plan plan = planUntil(2.75, fixedLayer("outer", 0.75, {}), {frames.entry(eachTime(0.5))});
     Runner runner(plan);
     runAll(runner, go_on);
     // 0.75 passes 0.5; 1.5 passes 1 and 1.5; 2.25 passes 2; 3 reaches 2.5 and 3.
@@ -93,10 +86,8 @@ TEST_CASE("outputs fire at the start, once for all multiples passed, and at the 
 
 TEST_CASE("outputs count outermost steps, or those of a layer") {
     Frames frames;
-    Plan plan;
-    plan.end_time = 5;
-    plan.outermost = fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}});
-    plan.outputs = {frames.entry(eachSteps(2))};
+    Plan plan = planUntil(5, fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}}),
+                          {frames.entry(eachSteps(2))});
     runAll(Runner(plan), go_on);
     CHECK(frames.times() == std::vector<double>{0, 2, 4, 5});
 
@@ -108,10 +99,8 @@ TEST_CASE("outputs count outermost steps, or those of a layer") {
 
 TEST_CASE("an interval of wall time") {
     Frames frames;
-    Plan plan;
-    plan.end_time = 3;
-    plan.outermost = fixedLayer("outer", 1, {});
-    plan.outputs = {frames.entry(Trigger{Trigger::Kind::wall_time, 1e-12, ""}, true)};
+    Plan plan = planUntil(3, fixedLayer("outer", 1, {}),
+                          {frames.entry(Trigger{Trigger::Kind::wall_time, 1e-12, ""}, true)});
     runAll(Runner(plan), go_on);
     CHECK(frames.times() == std::vector<double>{1, 2, 3});
 
@@ -124,11 +113,9 @@ TEST_CASE("an interval of wall time") {
 TEST_CASE("restarts are written last, not at the start, and know of their own writing") {
     Journal journal;
     RecordingOutput restart("restart", journal), frame("frame", journal);
-    Plan plan;
-    plan.end_time = 2;
-    plan.outermost = fixedLayer("outer", 1, {});
-    plan.outputs = {{"restart", "restart", &restart, eachSteps(1), true},
-                    {"frame", "vtu", &frame, eachSteps(1), false}};
+    Plan plan = planUntil(2, fixedLayer("outer", 1, {}),
+                          {{"restart", "restart", &restart, eachSteps(1), true},
+                           {"frame", "vtu", &frame, eachSteps(1), false}});
     Runner runner(plan);
     std::vector<Saved> saved;
     restart.on_write = [&] {
@@ -154,10 +141,8 @@ TEST_CASE("a hook stops the run; restarts are written, other outputs are not") {
     Frames frames;
     Journal journal;
     RecordingOutput restart("restart", journal);
-    Plan plan;
-    plan.end_time = 10;
-    plan.outermost = fixedLayer("outer", 1, {});
-    plan.outputs = {frames.entry(eachSteps(4)), {"restart", "restart", &restart, {}, true}};
+    Plan plan = planUntil(10, fixedLayer("outer", 1, {}),
+                          {frames.entry(eachSteps(4)), {"restart", "restart", &restart, {}, true}});
     Runner runner(plan);
     const Outcome outcome = runAll(runner, [](const Clock& clock) -> std::optional<std::string> {
         if (clock.steps == 3) return "interrupted";
@@ -174,11 +159,9 @@ TEST_CASE("a hook stops the run; restarts are written, other outputs are not") {
 TEST_CASE("a run that is stopped before its first step keeps its first state") {
     Journal journal;
     RecordingOutput restart("restart", journal), frame("frame", journal);
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost = fixedLayer("outer", 0.5, {});
-    plan.outputs = {{"restart", "restart", &restart, {}, true},
-                    {"frame", "vtu", &frame, {}, false}};
+    Plan plan = planUntil(
+        1, fixedLayer("outer", 0.5, {}),
+        {{"restart", "restart", &restart, {}, true}, {"frame", "vtu", &frame, {}, false}});
     Runner runner(plan);
     const Outcome outcome = runAll(runner, go_on, "signal");
     CHECK_FALSE(outcome.finished);
@@ -187,9 +170,7 @@ TEST_CASE("a run that is stopped before its first step keeps its first state") {
 }
 
 TEST_CASE("a stop in the last step is a finished run") {
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost = fixedLayer("outer", 1, {});
+    Plan plan = planUntil(1, fixedLayer("outer", 1, {}));
     const Outcome outcome = runAll(Runner(plan), [](const Clock&) { return "interrupted"; });
     CHECK(outcome.finished);
     CHECK(outcome.reason.empty());
@@ -197,10 +178,7 @@ TEST_CASE("a stop in the last step is a finished run") {
 
 TEST_CASE("what a hook or a method throws passes through before anything is written") {
     Frames frames;
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost = fixedLayer("outer", 1, {});
-    plan.outputs = {frames.entry(eachSteps(1))};
+    Plan plan = planUntil(1, fixedLayer("outer", 1, {}), {frames.entry(eachSteps(1))});
     Runner runner(plan);
     CHECK_THROWS_AS(
         runAll(runner,
@@ -259,9 +237,7 @@ TEST_CASE("plans that cannot run are refused") {
     Journal journal;
     Recorder method("method", journal);
     RecordingOutput output("output", journal);
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost = fixedLayer("outer", 1, {call("method", method)});
+    Plan plan = planUntil(1, fixedLayer("outer", 1, {call("method", method)}));
     const auto message = [&]() -> std::string {
         try {
             validate(plan);

@@ -39,11 +39,9 @@ TEST_CASE("an output that samples does so after every step, before anything is w
     Journal journal;
     RecordingOutput frame("frame", journal);
     Sampling mean("row", journal, layer);
-    Plan plan;
-    plan.end_time = 0.75;
-    plan.outermost = fixedLayer("outer", 0.25, {});
-    plan.outputs = {{"frames", "vtu", &frame, eachSteps(2), false},
-                    {"mean", "observe", &mean, eachSteps(2), false}};
+    Plan plan = planUntil(0.75, fixedLayer("outer", 0.25, {}),
+                          {{"frames", "vtu", &frame, eachSteps(2), false},
+                           {"mean", "observe", &mean, eachSteps(2), false}});
     Runner runner(plan);
     runAll(runner, [&](const Clock& clock) {
         journal.push_back({"looked at", clock.time, clock.dt, clock.steps});
@@ -69,13 +67,12 @@ TEST_CASE("an inner layer is sampled at the end of each of its substeps, with it
     Recorder acoustic("acoustic", journal);
     Recorder after("after", journal);
     Sampling mean("row", journal, "inner");
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost =
-        fixedLayer("outer", 0.5,
-                   {{fixedLayer("inner", 0.375, {call("acoustic", acoustic)}, Fit::clip)},
-                    call("after", after)});
-    plan.outputs = {{"mean", "observe", &mean, eachSteps(1), false}};
+    Plan plan =
+        planUntil(1,
+                  fixedLayer("outer", 0.5,
+                             {{fixedLayer("inner", 0.375, {call("acoustic", acoustic)}, Fit::clip)},
+                              call("after", after)}),
+                  {{"mean", "observe", &mean, eachSteps(1), false}});
     Runner runner(plan);
     toTheEnd(runner);
     CHECK(journal == Journal{{"row", 0, 0, 0},
@@ -96,13 +93,12 @@ TEST_CASE("an inner layer is sampled at the end of each of its substeps, with it
 TEST_CASE("a substep that a layer inside it lengthens is sampled with the length it took") {
     Journal journal;
     Sampling mean("row", journal, "middle");
-    Plan plan;
-    plan.end_time = 1;
-    plan.outermost =
+    Plan plan = planUntil(
+        1,
         fixedLayer("outer", 1,
                    {{fixedLayer("middle", 0.5, {{fixedLayer("inner", 0.375, {}, Fit::overshoot)}},
-                                Fit::overshoot)}});
-    plan.outputs = {{"mean", "observe", &mean, {}, false}};
+                                Fit::overshoot)}}),
+        {{"mean", "observe", &mean, {}, false}});
     Runner runner(plan);
     toTheEnd(runner);
     CHECK(journal == Journal{{"row", 0, 0, 0},
@@ -114,9 +110,8 @@ TEST_CASE("a substep that a layer inside it lengthens is sampled with the length
 TEST_CASE("a layer to sample must exist") {
     Journal journal;
     Sampling mean("row", journal, "acustic");
-    Plan plan;
-    plan.outermost = fixedLayer("outer", 1, {});
-    plan.outputs = {{"mean", "observe", &mean, {}, false}};
+    const Plan plan =
+        planUntil(0, fixedLayer("outer", 1, {}), {{"mean", "observe", &mean, {}, false}});
     CHECK_THROWS_WITH(Runner(plan), "loop: output mean: no layer acustic to sample");
 }
 
@@ -128,10 +123,8 @@ TEST_CASE("what an output samples inside of the loop is counted as its time alon
     // of some runs counts.
     double loop_seconds = 1, line_seconds = 1, inner_seconds = 1;
     for (int run = 0; run < 5; ++run) {
-        Plan plan;
-        plan.end_time = 1;
-        plan.outermost = fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}});
-        plan.outputs = {{"mean", "observe", &mean, {}, false}};
+        Plan plan = planUntil(1, fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}}),
+                              {{"mean", "observe", &mean, {}, false}});
         Runner runner(plan);
         toTheEnd(runner);
         const Profile profile = runner.profile();

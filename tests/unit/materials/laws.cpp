@@ -111,6 +111,16 @@ void checkHooke(const ElasticSolid& solid, double lambda, double mu) {
     CHECK(solid.shearModulus() == Approx(mu).epsilon(1e-14));
 }
 
+/// Of each law, in both dimensions.
+template <class Check>
+void forAllSolids(Check check) {
+    for (const auto& solid : allSolids()) {
+        INFO("law " << nameOf(*solid));
+        check.template operator()<2>(*solid);
+        check.template operator()<3>(*solid);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("withLaw gives the class of the solid") {
@@ -126,35 +136,20 @@ TEST_CASE("withLaw gives the class of the solid") {
 }
 
 TEST_CASE("stress is the derivative of the energy") {
-    for (const auto& solid : allSolids()) {
-        INFO("law " << nameOf(*solid));
-        checkStressIsDerivativeOfEnergy<2>(*solid);
-        checkStressIsDerivativeOfEnergy<3>(*solid);
-    }
+    forAllSolids(
+        []<int Dim>(const ElasticSolid& solid) { checkStressIsDerivativeOfEnergy<Dim>(solid); });
 }
 
 TEST_CASE("eight deformations at a time are each of them") {
-    for (const auto& solid : allSolids()) {
-        INFO("law " << nameOf(*solid));
-        checkEightAtATime<2>(*solid);
-        checkEightAtATime<3>(*solid);
-    }
+    forAllSolids([]<int Dim>(const ElasticSolid& solid) { checkEightAtATime<Dim>(solid); });
 }
 
 TEST_CASE("a rotation on top of a deformation changes no stress") {
-    for (const auto& solid : allSolids()) {
-        INFO("law " << nameOf(*solid));
-        checkFrameIndifference<2>(*solid);
-        checkFrameIndifference<3>(*solid);
-    }
+    forAllSolids([]<int Dim>(const ElasticSolid& solid) { checkFrameIndifference<Dim>(solid); });
 }
 
 TEST_CASE("a rotated solid at rest is free of stress and energy") {
-    for (const auto& solid : allSolids()) {
-        INFO("law " << nameOf(*solid));
-        checkRestIsFree<2>(*solid);
-        checkRestIsFree<3>(*solid);
-    }
+    forAllSolids([]<int Dim>(const ElasticSolid& solid) { checkRestIsFree<Dim>(solid); });
 }
 
 TEST_CASE("small strains obey Hooke's law") {

@@ -77,86 +77,90 @@ Vec<Dim> relaxed(const ElasticSolid& solid, Vec<Dim> stretch) {
     return stretch;
 }
 
+/// check(solid, values) for each row of a table that has so many.
+template <class Check>
+void forRows(const std::string& file, std::size_t count, Check check) {
+    const auto rows = readTable(file);
+    REQUIRE(rows.size() == count);
+    for (const Row& row : rows) {
+        INFO("law " << nameOf(*row.solid) << ", stretch or shear " << row.values[0]);
+        check(*row.solid, row.values);
+    }
+}
+
+/// S and the stress of Cauchy have these values on their diagonals.
+template <int Dim>
+void checkDiagonals(const Stresses<Dim>& found, const double* second, const double* cauchy) {
+    for (int k = 0; k < Dim; ++k) {
+        CHECK(found.second(k, k) == near(second[k]));
+        CHECK(found.cauchy(k, k) == near(cauchy[k]));
+    }
+}
+
+/// S, P and the stress of Cauchy along the axis; across it there is none.
+template <int Dim>
+void checkUniaxial(const Stresses<Dim>& found, const double* along) {
+    CHECK(found.second(0, 0) == near(along[0]));
+    CHECK(found.first(0, 0) == near(along[1]));
+    CHECK(found.cauchy(0, 0) == near(along[2]));
+    for (int k = 1; k < Dim; ++k) CHECK(found.cauchy(k, k) == near(0));
+}
+
 }  // namespace
 
 TEST_CASE("uniaxial stress agrees with the table") {
-    const auto rows = readTable("solid_uniaxial_stress_3d.csv");
-    REQUIRE(rows.size() == 63);
-    for (const Row& row : rows) {
-        const auto& v = row.values;
-        INFO("law " << nameOf(*row.solid) << ", stretch " << v[0]);
-        const Vec<3> l = relaxed<3>(*row.solid, Vec<3>(v[0], v[1], v[2]));
-        CHECK(l[1] == near(v[1]));
-        CHECK(l[2] == near(v[2]));
-        const Mat<3> F = l.asDiagonal();
-        const auto s = stresses<3>(*row.solid, F);
-        CHECK(s.second(0, 0) == near(v[3]));
-        CHECK(s.first(0, 0) == near(v[4]));
-        CHECK(s.cauchy(0, 0) == near(v[5]));
-        CHECK(s.cauchy(1, 1) == near(0));
-        CHECK(s.cauchy(2, 2) == near(0));
-    }
+    forRows("solid_uniaxial_stress_3d.csv", 63,
+            [](const ElasticSolid& solid, const std::vector<double>& v) {
+                const Vec<3> l = relaxed<3>(solid, Vec<3>(v[0], v[1], v[2]));
+                CHECK(l[1] == near(v[1]));
+                CHECK(l[2] == near(v[2]));
+                const Mat<3> F = l.asDiagonal();
+                const auto s = stresses<3>(solid, F);
+                checkUniaxial(s, &v[3]);
+            });
 }
 
 TEST_CASE("uniaxial stress in plane strain agrees with the table") {
-    const auto rows = readTable("solid_uniaxial_stress_planestrain.csv");
-    REQUIRE(rows.size() == 46);
-    for (const Row& row : rows) {
-        const auto& v = row.values;
-        INFO("law " << nameOf(*row.solid) << ", stretch " << v[0]);
-        const Vec<2> l = relaxed<2>(*row.solid, Vec<2>(v[0], v[1]));
-        CHECK(l[1] == near(v[1]));
-        const Mat<2> F = l.asDiagonal();
-        const auto s = stresses<2>(*row.solid, F);
-        CHECK(s.second(0, 0) == near(v[2]));
-        CHECK(s.first(0, 0) == near(v[3]));
-        CHECK(s.cauchy(0, 0) == near(v[4]));
-        CHECK(s.cauchy(1, 1) == near(0));
-        const Mat<3> F3 = Vec<3>(l[0], l[1], 1).asDiagonal();
-        CHECK(stresses<3>(*row.solid, F3).cauchy(2, 2) == near(v[5]));
-    }
+    forRows("solid_uniaxial_stress_planestrain.csv", 46,
+            [](const ElasticSolid& solid, const std::vector<double>& v) {
+                const Vec<2> l = relaxed<2>(solid, Vec<2>(v[0], v[1]));
+                CHECK(l[1] == near(v[1]));
+                const Mat<2> F = l.asDiagonal();
+                const auto s = stresses<2>(solid, F);
+                checkUniaxial(s, &v[2]);
+                const Mat<3> F3 = Vec<3>(l[0], l[1], 1).asDiagonal();
+                CHECK(stresses<3>(solid, F3).cauchy(2, 2) == near(v[5]));
+            });
 }
 
 TEST_CASE("uniaxial strain agrees with the table") {
-    const auto rows = readTable("solid_uniaxial_strain.csv");
-    REQUIRE(rows.size() == 63);
-    for (const Row& row : rows) {
-        const auto& v = row.values;
-        INFO("law " << nameOf(*row.solid) << ", stretch " << v[0]);
-        const Mat<3> F = Vec<3>(v[0], 1, 1).asDiagonal();
-        const auto s = stresses<3>(*row.solid, F);
-        const Mat<2> plane = F.topLeftCorner<2, 2>();
-        const auto p = stresses<2>(*row.solid, plane);
-        for (int k = 0; k < 3; ++k) {
-            CHECK(s.second(k, k) == near(v[static_cast<std::size_t>(1 + k)]));
-            CHECK(s.cauchy(k, k) == near(v[static_cast<std::size_t>(4 + k)]));
-        }
-        for (int k = 0; k < 2; ++k)
-            CHECK(p.second(k, k) == near(v[static_cast<std::size_t>(1 + k)]));
-    }
+    forRows("solid_uniaxial_strain.csv", 63,
+            [](const ElasticSolid& solid, const std::vector<double>& v) {
+                const Mat<3> F = Vec<3>(v[0], 1, 1).asDiagonal();
+                const auto s = stresses<3>(solid, F);
+                const Mat<2> plane = F.topLeftCorner<2, 2>();
+                const auto p = stresses<2>(solid, plane);
+                checkDiagonals(s, &v[1], &v[4]);
+                for (int k = 0; k < 2; ++k)
+                    CHECK(p.second(k, k) == near(v[static_cast<std::size_t>(1 + k)]));
+            });
 }
 
 TEST_CASE("simple shear agrees with the table") {
-    const auto rows = readTable("solid_simple_shear.csv");
-    REQUIRE(rows.size() == 52);
-    for (const Row& row : rows) {
-        const auto& v = row.values;
-        INFO("law " << nameOf(*row.solid) << ", shear " << v[0]);
-        Mat<3> F = Mat<3>::Identity();
-        F(0, 1) = v[0];
-        const auto s = stresses<3>(*row.solid, F);
-        for (int k = 0; k < 3; ++k) {
-            CHECK(s.second(k, k) == near(v[static_cast<std::size_t>(1 + k)]));
-            CHECK(s.cauchy(k, k) == near(v[static_cast<std::size_t>(5 + k)]));
-        }
-        CHECK(s.second(0, 1) == near(v[4]));
-        CHECK(s.cauchy(0, 1) == near(v[8]));
-        CHECK(s.first(0, 1) == near(v[9]));
-        CHECK(s.first(1, 0) == near(v[10]));
-        const Mat<2> plane = F.topLeftCorner<2, 2>();
-        const auto p = stresses<2>(*row.solid, plane);
-        CHECK(p.second(0, 0) == near(v[1]));
-        CHECK(p.second(1, 1) == near(v[2]));
-        CHECK(p.second(0, 1) == near(v[4]));
-    }
+    forRows("solid_simple_shear.csv", 52,
+            [](const ElasticSolid& solid, const std::vector<double>& v) {
+                Mat<3> F = Mat<3>::Identity();
+                F(0, 1) = v[0];
+                const auto s = stresses<3>(solid, F);
+                checkDiagonals(s, &v[1], &v[5]);
+                CHECK(s.second(0, 1) == near(v[4]));
+                CHECK(s.cauchy(0, 1) == near(v[8]));
+                CHECK(s.first(0, 1) == near(v[9]));
+                CHECK(s.first(1, 0) == near(v[10]));
+                const Mat<2> plane = F.topLeftCorner<2, 2>();
+                const auto p = stresses<2>(solid, plane);
+                CHECK(p.second(0, 0) == near(v[1]));
+                CHECK(p.second(1, 1) == near(v[2]));
+                CHECK(p.second(0, 1) == near(v[4]));
+            });
 }

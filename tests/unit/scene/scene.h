@@ -15,7 +15,7 @@ struct Scene : Bodies<Dim> {
     Context<Dim> context{this->world, relations};
 
     /// "gate.base", or all of a body: "gate".
-    Part<Dim> part(const std::string& name) const { return Part<Dim>(this->world, {name, {}}); }
+    Part<Dim> part(const std::string& name) { return Part<Dim>(this->world, {name, {}}); }
     /// Adds it to the body: the particles for which inside(R) holds.
     template <class Inside>
     Part<Dim> part(Body<Dim>& body, const std::string& name, Inside&& inside) {
