@@ -52,6 +52,15 @@ void print(const State& s, std::FILE* stream, std::string_view prefix, std::stri
     drawStatus(s);
 }
 
+/// On the terminal and in the file; `once`: not again what was said so before.
+void say(std::FILE* terminal, const char* prefix, std::string_view line, bool once = false) {
+    State& s = state();
+    std::lock_guard lock(s.mutex);
+    if (once && !s.warned.emplace(line).second) return;
+    print(s, terminal, prefix, line);
+    write(s.file, prefix, line);
+}
+
 }  // namespace
 
 void openFile(const std::filesystem::path& path) {
@@ -69,27 +78,9 @@ void closeFile() {
     s.file = nullptr;
 }
 
-void info(std::string_view line) {
-    State& s = state();
-    std::lock_guard lock(s.mutex);
-    print(s, stdout, "", line);
-    write(s.file, "", line);
-}
-
-void warning(std::string_view line) {
-    State& s = state();
-    std::lock_guard lock(s.mutex);
-    if (!s.warned.emplace(line).second) return;
-    print(s, stderr, "warning: ", line);
-    write(s.file, "warning: ", line);
-}
-
-void message(std::string_view text) {
-    State& s = state();
-    std::lock_guard lock(s.mutex);
-    print(s, stderr, "", text);
-    write(s.file, "", text);
-}
+void info(std::string_view line) { say(stdout, "", line); }
+void warning(std::string_view line) { say(stderr, "warning: ", line, true); }
+void message(std::string_view text) { say(stderr, "", text); }
 
 void fileOnly(std::string_view line) {
     State& s = state();

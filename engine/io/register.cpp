@@ -26,76 +26,73 @@ struct NumberFrameSettings : FrameSettings {
     bool single() const { return precision == Precision::single; }
 };
 
-/// The parameters that all outputs of frames share.
-template <class P>
-void declareBodies(input::Declared<P>& d) {
+/// Declares an output of frames with the parameters that all of them share. make: []<int Dim>(
+/// const P&, const OutputContext<Dim>&, std::vector<BodyFrames<Dim>>).
+template <class P, class Make>
+void declareFrames(input::Registry& registry, const char* name, const char* summary, Make make) {
+    auto& d = registry.declare<P>(input::Kind::output, name);
+    d.summary(summary);
     d.optional("bodies", &P::bodies, bodySelection(),
                "what is written; default: velocity, density and pressure of every fluid, velocity "
                "and normal of every solid. Position, id and mass are always there");
-}
-
-void declarePrecision(input::Declared<NumberFrameSettings>& d) {
-    d.optional("precision", &NumberFrameSettings::precision,
-               input::choice<Precision>({
-                   {"double", Precision::full, "64-bit numbers"},
-                   {"single", Precision::single, "32-bit numbers: half the size"},
-               }),
-               "of the numbers in the files");
+    if constexpr (std::is_same_v<P, NumberFrameSettings>)
+        d.optional("precision", &P::precision,
+                   input::choice<Precision>({
+                       {"double", Precision::full, "64-bit numbers"},
+                       {"single", Precision::single, "32-bit numbers: half the size"},
+                   }),
+                   "of the numbers in the files");
+    d.builder(outputFactory<P>(
+        [make]<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
+            return make(p, context, selectFrames(p.bodies, context.world));
+        }));
 }
 
 void declareVtu(input::Registry& registry) {
     using P = NumberFrameSettings;
-    auto& d = registry.declare<P>(input::Kind::output, "vtu");
-    d.summary("Frames for ParaView: BODY_NNNNNN.vtu and one BODY.pvd a body");
-    declareBodies(d);
-    declarePrecision(d);
-    d.builder(outputFactory<P>(
-        []<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
+    declareFrames<P>(
+        registry, "vtu", "Frames for ParaView: BODY_NNNNNN.vtu and one BODY.pvd a body",
+        []<int Dim>(const P& p, const OutputContext<Dim>& context,
+                    std::vector<BodyFrames<Dim>> frames) {
             return std::make_unique<VtuOutput<Dim>>(
                 VtuParameters{context.folder, p.single(), context.units, context.provenance},
-                selectFrames(p.bodies, context.world));
-        }));
+                std::move(frames));
+        });
 }
 
 void declareVtkHdf(input::Registry& registry) {
     using P = NumberFrameSettings;
-    auto& d = registry.declare<P>(input::Kind::output, "vtkhdf");
-    d.summary("Frames as one time series BODY.vtkhdf a body, for ParaView from 5.12 on");
-    declareBodies(d);
-    declarePrecision(d);
-    d.builder(outputFactory<P>(
-        []<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
+    declareFrames<P>(
+        registry, "vtkhdf",
+        "Frames as one time series BODY.vtkhdf a body, for ParaView from 5.12 on",
+        []<int Dim>(const P& p, const OutputContext<Dim>& context,
+                    std::vector<BodyFrames<Dim>> frames) {
             return std::make_unique<VtkHdfOutput<Dim>>(
                 VtkHdfParameters{context.folder, p.single(), context.units, context.provenance},
-                selectFrames(p.bodies, context.world));
-        }));
+                std::move(frames));
+        });
 }
 
 void declareHdf5(input::Registry& registry) {
     using P = NumberFrameSettings;
-    auto& d = registry.declare<P>(input::Kind::output, "hdf5");
-    d.summary("Frames as plain datasets in results.h5: bodies/BODY/frame_NNNNNN/FIELD");
-    declareBodies(d);
-    declarePrecision(d);
-    d.builder(outputFactory<P>(
-        []<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
+    declareFrames<P>(
+        registry, "hdf5", "Frames as plain datasets in results.h5: bodies/BODY/frame_NNNNNN/FIELD",
+        []<int Dim>(const P& p, const OutputContext<Dim>& context,
+                    std::vector<BodyFrames<Dim>> frames) {
             return std::make_unique<Hdf5Output<Dim>>(Hdf5Parameters{p.single(), context.units},
-                                                     context.results,
-                                                     selectFrames(p.bodies, context.world));
-        }));
+                                                     context.results, std::move(frames));
+        });
 }
 
 void declareTecplot(input::Registry& registry) {
     using P = FrameSettings;
-    auto& d = registry.declare<P>(input::Kind::output, "tecplot");
-    d.summary("Frames as Tecplot text: BODY_NNNNNN.dat");
-    declareBodies(d);
-    d.builder(outputFactory<P>(
-        []<int Dim>(const P& p, const Component&, const OutputContext<Dim>& context) {
-            return std::make_unique<TecplotOutput<Dim>>(
-                TecplotParameters{context.folder, context.units, context.provenance},
-                selectFrames(p.bodies, context.world));
-        }));
+    declareFrames<P>(registry, "tecplot", "Frames as Tecplot text: BODY_NNNNNN.dat",
+                     []<int Dim>(const P&, const OutputContext<Dim>& context,
+                                 std::vector<BodyFrames<Dim>> frames) {
+                         return std::make_unique<TecplotOutput<Dim>>(
+                             TecplotParameters{context.folder, context.units, context.provenance},
+                             std::move(frames));
+                     });
 }
 
 struct ProgressSettings {};

@@ -64,6 +64,24 @@ ShapeBuilder bothDimensions(Make make) {
             }};
 }
 
+/// make: [](const P&), in one dimension only.
+template <class P, class Make>
+ShapeBuilder only2d(Make make) {
+    ShapeBuilder builder;
+    builder.in2d = [make](const void* p, ShapeMaker<2>&) {
+        return make(*static_cast<const P*>(p));
+    };
+    return builder;
+}
+template <class P, class Make>
+ShapeBuilder only3d(Make make) {
+    ShapeBuilder builder;
+    builder.in3d = [make](const void* p, ShapeMaker<3>&) {
+        return make(*static_cast<const P*>(p));
+    };
+    return builder;
+}
+
 void declareBox(Registry& registry) {
     using P = BoxParameters;
     auto& d = registry.declare<P>(Kind::shape, "box");
@@ -83,18 +101,12 @@ void declareBalls(Registry& registry) {
         d.summary(circle ? "Circle (2D)" : "Sphere (3D)");
         d.optional("center", &P::center, coordinates(unit::length), "centre; default: the origin");
         d.required("radius", &P::radius, number(unit::length).above(0), "radius");
-        ShapeBuilder builder;
-        if (circle)
-            builder.in2d = [](const void* p, ShapeMaker<2>&) {
-                const auto& ball = *static_cast<const P*>(p);
-                return geometry::makeBall<2>(vector<2>(ball.center), ball.radius);
-            };
-        else
-            builder.in3d = [](const void* p, ShapeMaker<3>&) {
-                const auto& ball = *static_cast<const P*>(p);
-                return geometry::makeBall<3>(vector<3>(ball.center), ball.radius);
-            };
-        d.builder(builder);
+        d.builder(circle ? only2d<P>([](const P& p) {
+            return geometry::makeBall<2>(vector<2>(p.center), p.radius);
+        })
+                         : only3d<P>([](const P& p) {
+                               return geometry::makeBall<3>(vector<3>(p.center), p.radius);
+                           }));
     }
 }
 
@@ -103,15 +115,12 @@ void declarePolygon(Registry& registry) {
     auto& d = registry.declare<P>(Kind::shape, "polygon");
     d.summary("Simple polygon (2D): corners in either order, or a file with WKT or one x y a line");
     d.bareValue(&P::points, tableOrFile(unit::length), "corners, the last not the first again");
-    ShapeBuilder builder;
-    builder.in2d = [](const void* p, ShapeMaker<2>&) {
-        const Table& points = static_cast<const P*>(p)->points;
-        if (!points.file.empty()) return geometry::readPolygon(points.file);
+    d.builder(only2d<P>([](const P& p) {
+        if (!p.points.file.empty()) return geometry::readPolygon(p.points.file);
         std::vector<Vec<2>> corners;
-        for (const auto& row : points.rows) corners.emplace_back(row[0], row[1]);
+        for (const auto& row : p.points.rows) corners.emplace_back(row[0], row[1]);
         return geometry::makePolygon(corners);
-    };
-    d.builder(builder);
+    }));
 }
 
 void declareCylinder(Registry& registry) {
@@ -121,12 +130,8 @@ void declareCylinder(Registry& registry) {
     d.required("from", &P::from, coordinates(unit::length), "centre of one end face");
     d.required("to", &P::to, coordinates(unit::length), "centre of the other end face");
     d.required("radius", &P::radius, number(unit::length).above(0), "radius");
-    ShapeBuilder builder;
-    builder.in3d = [](const void* p, ShapeMaker<3>&) {
-        const auto& cylinder = *static_cast<const P*>(p);
-        return geometry::makeCylinder(cylinder.from.as<3>(), cylinder.to.as<3>(), cylinder.radius);
-    };
-    d.builder(builder);
+    d.builder(only3d<P>(
+        [](const P& p) { return geometry::makeCylinder(p.from.as<3>(), p.to.as<3>(), p.radius); }));
 }
 
 template <class Make>

@@ -79,9 +79,7 @@ class ShapeType final : public TypeBase {
 class NamedShapesType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isMap())
-            return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be a map from names to shapes");
+        if (!node.isMap()) return reader.mismatch(node, "a map from names to shapes");
         auto& shapes = *static_cast<std::vector<NamedShape>*>(out);
         bool good = true;
         for (const Node::Entry& entry : node.entries) {

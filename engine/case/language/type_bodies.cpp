@@ -15,9 +15,7 @@ class NamedBodiesType final : public TypeBase {
     explicit NamedBodiesType(const Declaration& body) : body_(body) {}
 
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isMap())
-            return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be a map from names to bodies");
+        if (!node.isMap()) return reader.mismatch(node, "a map from names to bodies");
         auto& bodies = *static_cast<std::vector<NamedBody>*>(out);
         bool good = true;
         for (const Node::Entry& entry : node.entries) {

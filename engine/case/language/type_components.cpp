@@ -24,9 +24,7 @@ class ComponentsType final : public TypeBase {
         : kind_(kind), common_(common), entries_(entries) {}
 
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isMap())
-            return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be a map from names to {type: ..., ...}");
+        if (!node.isMap()) return reader.mismatch(node, "a map from names to {type: ..., ...}");
         entries_.sequence.clear(out);
         bool good = true;
         for (const Node::Entry& entry : node.entries) {

@@ -130,10 +130,10 @@ class StepType final : public TypeBase {
             const Label label(reader, "run");
             return readParameters(node, node.place, reader, {{block("run"), &step}});
         }
-        return reader.error(
-            node, reader.label + " is " + describeNode(node) +
-                      " but must be METHOD, METHOD.ACTION, {run: METHOD, "
-                      "every: ..., from: ..., until: ...} or {layer: NAME, dt: ..., steps: [...]}");
+        return reader.mismatch(
+            node,
+            "METHOD, METHOD.ACTION, {run: METHOD, "
+            "every: ..., from: ..., until: ...} or {layer: NAME, dt: ..., steps: [...]}");
     }
     Node write(const void* value, const Node* source) const override {
         const auto& step = *static_cast<const Step*>(value);

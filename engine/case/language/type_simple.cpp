@@ -51,9 +51,7 @@ class KernelNameType final : public TypeBase {
 class VariablesType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isMap())
-            return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be a map from names to numbers");
+        if (!node.isMap()) return reader.mismatch(node, "a map from names to numbers");
         const std::size_t before = reader.diagnostics.errors();
         for (const Node::Entry& entry : node.entries)
             checkNewName(entry.key, entry.place, reader.diagnostics);

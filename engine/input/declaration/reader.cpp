@@ -74,6 +74,10 @@ bool Reader::error(const Place& place, std::string message) {
     return false;
 }
 
+bool Reader::mismatch(const Node& node, const std::string& wanted) {
+    return error(node, label + " is " + describeNode(node) + " but must be " + wanted);
+}
+
 bool Reader::hasMethod(std::string_view name) const {
     return std::find(methods.begin(), methods.end(), name) != methods.end();
 }
@@ -90,9 +94,7 @@ bool readParameters(const Node& node, const Place& place, Reader& reader,
                checkRules(node, node.place, reader, parts[0]);
     }
     const std::vector<std::string> accepted = acceptedKeys(parts, other_keys);
-    if (!node.isMap())
-        return reader.error(node, reader.label + " is " + describeNode(node) + " but must be " +
-                                      mapOfKeys(accepted));
+    if (!node.isMap()) return reader.mismatch(node, mapOfKeys(accepted));
     std::vector<const Node::Entry*> unknown;
     for (const Node::Entry& entry : node.entries)
         if (std::find(accepted.begin(), accepted.end(), entry.key) == accepted.end())

@@ -40,6 +40,8 @@ class Reader {
     /// Reports and returns false.
     bool error(const Node& node, std::string message);
     bool error(const Place& place, std::string message);
+    /// "LABEL is WHAT IT IS but must be `wanted`".
+    bool mismatch(const Node& node, const std::string& wanted);
 
     /// Number, quantity or expression in case units; reports and returns nothing when it is none.
     std::optional<double> number(const Node& node, Dimension dimension);

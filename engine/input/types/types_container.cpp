@@ -16,9 +16,7 @@ class ListType final : public TypeBase {
         : element_(std::move(element)), sequence_(sequence) {}
 
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isList())
-            return reader.error(
-                node, reader.label + " is " + describeNode(node) + " but must be a list [...]");
+        if (!node.isList()) return reader.mismatch(node, "a list [...]");
         sequence_.clear(out);
         bool good = true;
         for (std::size_t k = 0; k < node.items.size(); ++k) {
@@ -61,9 +59,7 @@ class MapType final : public TypeBase {
           second_(second) {}
 
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isMap())
-            return reader.error(
-                node, reader.label + " is " + describeNode(node) + " but must be a map {...}");
+        if (!node.isMap()) return reader.mismatch(node, "a map {...}");
         sequence_.clear(out);
         bool good = true;
         for (const Node::Entry& entry : node.entries) {
@@ -174,9 +170,7 @@ class WordOrType final : public TypeBase {
     bool read(const Node& node, Reader& reader, void* out) const override {
         access_.reset(out);
         if (node.isScalar() && node.text == word_) return true;
-        if (node.isScalar())
-            return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be '" + word_ + "' or " + type_->wanted());
+        if (node.isScalar()) return reader.mismatch(node, "'" + word_ + "' or " + type_->wanted());
         return type_->read(node, reader, access_.engage(out));
     }
     Node write(const void* value, const Node* source) const override {

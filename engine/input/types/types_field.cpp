@@ -15,9 +15,7 @@ bool checkComponents(const Node& node, Reader& reader) {
     const std::string expected = reader.dimension == 3   ? "[x, y, z]"
                                  : reader.dimension == 2 ? "[x, y]"
                                                          : "[x, y] or [x, y, z]";
-    if (!node.isList())
-        return reader.error(
-            node, reader.label + " is " + describeNode(node) + " but must be " + expected);
+    if (!node.isList()) return reader.mismatch(node, expected);
     const std::size_t n = node.items.size();
     if (reader.dimension == 0 ? (n != 2 && n != 3)
                               : n != static_cast<std::size_t>(reader.dimension))

@@ -30,8 +30,7 @@ class ReferenceType final : public TypeBase {
 
     bool read(const Node& node, Reader& reader, void* out) const override {
         if (!node.isScalar())
-            return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be the name of a " + targetName(target_));
+            return reader.mismatch(node, std::string("the name of a ") + targetName(target_));
         auto& name = *static_cast<Name*>(out);
         name.text = node.text;
         name.place = node.place;
@@ -63,9 +62,7 @@ class ReferenceType final : public TypeBase {
 class NewNameType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isScalar())
-            return reader.error(node,
-                                reader.label + " is " + describeNode(node) + " but must be a name");
+        if (!node.isScalar()) return reader.mismatch(node, "a name");
         *static_cast<Name*>(out) = {node.text, node.place};
         return checkNewName(node.text, node.place, reader.diagnostics);
     }

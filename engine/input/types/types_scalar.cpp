@@ -101,8 +101,7 @@ class BooleanType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
         if (!node.isScalar() || node.quoted || (node.text != "true" && node.text != "false"))
-            return reader.error(
-                node, reader.label + " is " + describeNode(node) + " but must be true or false");
+            return reader.mismatch(node, "true or false");
         *static_cast<bool*>(out) = node.text == "true";
         return true;
     }
@@ -116,9 +115,7 @@ class BooleanType final : public TypeBase {
 class TextType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isScalar())
-            return reader.error(node,
-                                reader.label + " is " + describeNode(node) + " but must be a text");
+        if (!node.isScalar()) return reader.mismatch(node, "a text");
         *static_cast<std::string*>(out) = node.text;
         return true;
     }
@@ -136,9 +133,7 @@ class TextType final : public TypeBase {
 class FileType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        if (!node.isScalar())
-            return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be the name of a file");
+        if (!node.isScalar()) return reader.mismatch(node, "the name of a file");
         namespace fs = std::filesystem;
         const fs::path path = fs::path(node.place.source->folder) / node.text;
         std::error_code error;
@@ -195,8 +190,7 @@ class ChoiceType final : public TypeBase {
             return reader.error(node, reader.label + " cannot be '" + node.text + "'" +
                                           didYouMean(node.text, names()));
         }
-        return reader.error(node, reader.label + " is " + describeNode(node) + " but must be " +
-                                      alternatives(names()));
+        return reader.mismatch(node, alternatives(names()));
     }
     Node write(const void* value, const Node* source) const override {
         const long long current = get_(value);

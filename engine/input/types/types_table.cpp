@@ -30,9 +30,7 @@ class TableType final : public TypeBase {
         table = {};
         if (node.isMap() && node.entries.size() == 1 && node.entries[0].key == "file")
             return readFromFile(node.entries[0].value, reader, table);
-        if (!node.isList())
-            return reader.error(node, reader.label + " is " + describeNode(node) +
-                                          " but must be a list of rows [...] or {file: NAME}");
+        if (!node.isList()) return reader.mismatch(node, "a list of rows [...] or {file: NAME}");
         const std::size_t columns = columnCount(reader);
         bool good = true;
         for (std::size_t r = 0; r < node.items.size(); ++r) {
