@@ -4,6 +4,7 @@
 
 #include "bodies/world.h"
 #include "input/declaration/component.h"
+#include "input/expressions/units.h"
 #include "input/tree/diagnostics.h"
 
 #include <algorithm>
@@ -25,9 +26,19 @@ struct WrittenCase {
         bool bonded = false;
     };
 
-    double start_time = 0;  ///< case units
-    Components methods;     ///< in the order of the case
-    Components called;      ///< those of them that the loop calls: no others act
+    /// A layer of the loop.
+    struct Layer {
+        std::string name;
+        Components dt;       ///< the methods that estimate its step
+        bool fixed = false;  ///< a number bounds it as well
+        Components called;   ///< by its own lines
+    };
+
+    double start_time = 0;                     ///< case units
+    const input::UnitSystem* units = nullptr;  ///< of messages
+    Components methods;                        ///< in the order of the case
+    Components called;                         ///< those of them that the loop calls: no others act
+    std::vector<Layer> layers;
     std::vector<Sight> topology;
     std::map<std::string, const input::Component*, std::less<>> materials;  ///< by body
     input::Diagnostics& diagnostics;
@@ -35,6 +46,10 @@ struct WrittenCase {
     bool calls(const input::Component& method) const {
         return std::ranges::find(called, &method) != called.end();
     }
+    /// Names that a parameter of a method refers to, whatever its type: a rule about methods of
+    /// another room knows them by a trait of theirs (Declaration::hasTrait) and by this.
+    static std::vector<input::Name> references(const input::Component& method,
+                                               std::string_view parameter);
     bool sees(std::string_view body, std::string_view other) const {
         return std::ranges::any_of(
             topology, [&](const Sight& s) { return s.body == body && s.seen == other; });
@@ -53,6 +68,10 @@ template <int Dim>
 struct BuiltCase : WrittenCase {
     const World<Dim>& world;
 };
+
+/// For a rule about a method that is stable only below some step: warns of the first layer that
+/// calls it while no method of the type `estimate` for the same `body` bounds the step there.
+void warnUnbounded(const input::Component& method, const WrittenCase&, std::string_view estimate);
 
 /// A rule about each method of a declaration.
 using Rule = void (*)(const input::Component& method, WrittenCase&);

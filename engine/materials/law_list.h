@@ -4,7 +4,7 @@
 
 #include "materials/material.h"
 
-#include <cassert>
+#include <stdexcept>
 #include <typeinfo>
 #include <utility>
 
@@ -15,13 +15,16 @@ template <class... Law>
 struct LawList {};
 
 /// f(law) with the material as its final class, one of the list. Called once per loop over
-/// particles, so that nothing is virtual per particle and each law gets a loop of its own.
+/// particles, so that nothing is virtual per particle and each law gets a loop of its own. Throws
+/// std::logic_error for a class that the list lacks.
 template <class First, class... Rest, class F>
 decltype(auto) visitLaw(LawList<First, Rest...>, const Material& material, F&& f) {
-    if constexpr (sizeof...(Rest) > 0)
+    if constexpr (sizeof...(Rest) > 0) {
         if (typeid(material) != typeid(First))
             return visitLaw(LawList<Rest...>{}, material, std::forward<F>(f));
-    assert(typeid(material) == typeid(First) && "the law is missing in its list");
+    } else if (typeid(material) != typeid(First)) {
+        throw std::logic_error("a law is missing in the list of its kind");
+    }
     return std::forward<F>(f)(static_cast<const First&>(material));
 }
 

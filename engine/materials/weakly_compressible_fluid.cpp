@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "materials/weakly_compressible_fluid.h"
 
-#include "materials/register.h"
+#include "materials/declare_fluid.h"
 
 namespace sphinx {
 
@@ -14,17 +14,10 @@ std::shared_ptr<const Fluid> makeFluid(const WeaklyCompressibleFluidParameters& 
 
 void declareWeaklyCompressibleFluid(input::Registry& registry) {
     using P = WeaklyCompressibleFluidParameters;
-    auto& d = registry.declare<P>(input::Kind::material, "weakly_compressible_fluid");
+    auto& d = declareFluid<P>(registry, "weakly_compressible_fluid");
     d.summary("Fluid whose pressure follows from its density; for flows slow against its sound");
     d.formula("linear: p = c0^2 (rho - rho0); tait: p = rho0 c0^2/gamma ((rho/rho0)^gamma - 1)");
     d.cite("guide", "below (19)").cite("Monaghan 1994");
-    d.trait("fluid");
-    d.required("density", &P::density, input::number(unit::density).above(0),
-               "density at zero pressure, rho0");
-    d.required("sound_speed", &P::sound_speed, input::number(unit::velocity).above(0),
-               "speed of sound c0, at least ten times the largest speed of the flow");
-    d.optional("viscosity", &P::viscosity, input::number(unit::dynamic_viscosity).atLeast(0),
-               "dynamic viscosity mu");
     d.optional("equation_of_state", &P::equation_of_state,
                input::choice<EquationOfState>({
                    {"linear", EquationOfState::linear, "p = c0^2 (rho - rho0)"},

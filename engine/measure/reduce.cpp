@@ -4,8 +4,8 @@
 
 #include "io/series/rows_output.h"
 #include "measure/reduce_force.h"
+#include "measure/reduce_load.h"
 #include "measure/reduce_motion.h"
-#include "measure/reduce_reaction.h"
 
 namespace sphinx::io {
 namespace {
@@ -21,7 +21,14 @@ enum class Reduced {
     force,
     moment,
     support_reaction,
+    applied_load,
 };
+
+/// Whether it has a moment, which is about a point.
+bool hasMoment(Reduced quantity) {
+    return quantity == Reduced::moment || quantity == Reduced::support_reaction ||
+           quantity == Reduced::applied_load;
+}
 
 enum class Axis { x, y, z };
 
@@ -38,6 +45,7 @@ std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
                                          const OutputContext<Dim>& context) {
     Body<Dim>& body = *context.world.find(p.body.text);
     const ReducedBody<Dim> reduced{&body, p.body.place, context.units, &context.relations};
+    const auto about = p.about ? std::optional(p.about->template as<Dim>()) : std::nullopt;
     switch (p.quantity) {
         case Reduced::mechanical_energy: return mechanicalEnergy(reduced);
         case Reduced::kinetic_energy: return kineticEnergy(reduced);
@@ -50,14 +58,16 @@ std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
             if (axis >= Dim) failAt(component.placeOf("axis"), "a case in 2D has no axis z");
             return frontPosition(reduced, axis);
         }
-        case Reduced::support_reaction: return makeReactionSource(body, p.body.place, context);
+        case Reduced::support_reaction:
+            return makeReactionSource<Dim>(body, p.body.place, context, about);
+        case Reduced::applied_load:
+            return makeAppliedSource<Dim>(body, p.body.place, context, about);
         case Reduced::moment:
         case Reduced::force: break;
     }
     if (!body.isSolid())
         failAt(p.body.place,
                "the force is that of fluids on a solid, but '" + body.name + "' is a fluid");
-    const auto about = p.about ? std::optional(p.about->template as<Dim>()) : std::nullopt;
     return makeForceSource<Dim>(body, p.body.place, context, about);
 }
 
@@ -96,7 +106,11 @@ void declareReduce(input::Registry& registry) {
             {"moment", Reduced::moment,
              "of these forces about a point: by pressure, by viscosity, and both"},
             {"support_reaction", Reduced::support_reaction,
-             "of the constraints on an elastic body, over its last step"},
+             "of the constraints on an elastic body, over its last step; with 'about' also the "
+             "moment"},
+            {"applied_load", Reduced::applied_load,
+             "of the loads from outside (point_force, spring, surface_pressure) on an elastic "
+             "body, over its last step; with 'about' also the moment"},
         }),
         "what is written");
     d.optional("axis", &P::axis,
@@ -105,7 +119,9 @@ void declareReduce(input::Registry& registry) {
     d.optional("about", &P::about, input::coordinates(unit::length), "point of the moment");
     declareMeans(d);
     d.check("about", [](const P& p) -> std::string {
-        return p.about && p.quantity != Reduced::moment ? "'about' is for moment" : "";
+        return p.about && !hasMoment(p.quantity)
+                   ? "'about' is for moment, support_reaction and applied_load"
+                   : "";
     });
     d.check("quantity", [](const P& p) -> std::string {
         return !p.about && p.quantity == Reduced::moment ? "a moment needs a point: 'about'" : "";

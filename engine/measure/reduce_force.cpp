@@ -29,8 +29,7 @@ ForceSource<Dim>::ForceSource(const Body<Dim>& solid,
     }
     if (moment_about_) {
         const std::string moment = units.text(unit::force * unit::length);
-        const std::vector<std::string> axes =
-            Dim == 2 ? std::vector<std::string>{} : componentLabels<3>(Rank::vector);
+        const std::vector<std::string> axes = momentLabels<Dim>();
         quantities_ = {{"pressure_moment", moment, "by the pressure of the fluids", axes},
                        {"viscous_moment", moment, "by the viscosity of the fluids", axes},
                        {"moment", moment, "of the fluids on the body", axes}};

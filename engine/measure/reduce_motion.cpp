@@ -136,11 +136,8 @@ std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>& reduced) {
 template <int Dim>
 std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
-    SeriesQuantity quantity{"angular_momentum",
-                            reduced.units.text(unit::momentum * unit::length),
-                            "sum of m x cross v about the origin",
-                            {}};
-    if (Dim == 3) quantity.labels = componentLabels<3>(Rank::vector);
+    SeriesQuantity quantity{"angular_momentum", reduced.units.text(unit::momentum * unit::length),
+                            "sum of m x cross v about the origin", momentLabels<Dim>()};
     constexpr int size = Moment<Dim>::SizeAtCompileTime;
     return sums<size>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
         const Moment<Dim> turn = momentOf<Dim>((*motion.x)[i], (*motion.v)[i]);

@@ -73,6 +73,11 @@ void Field<T>::begin(std::size_t first, const FieldBase* other) {
         std::copy(same.values_.begin() + static_cast<std::ptrdiff_t>(first), same.values_.end(),
                   values_.begin() + static_cast<std::ptrdiff_t>(first));
     }
+    if constexpr (!std::is_integral_v<T>)
+        if (info().initial.kind == InitialValue::Kind::constant)
+            std::fill(numbers() + first * static_cast<std::size_t>(components()),
+                      numbers() + values_.size() * static_cast<std::size_t>(components()),
+                      info().initial.value);
     if constexpr (isSquare<T>)
         if (info().initial.kind == InitialValue::Kind::identity)
             for (std::size_t i = first; i < values_.size(); ++i) values_[i].setIdentity();

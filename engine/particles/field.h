@@ -19,20 +19,25 @@ struct FieldInfo;
 /// What a new particle has in a field.
 struct InitialValue {
     enum class Kind {
-        none,      ///< nothing: it has to be written before it is read (in memory it is zero)
-        given,     ///< what the one says who makes the particle
-        zero,      ///< zero, which means something
+        none,   ///< nothing: it has to be written before it is read (in memory it is zero)
+        given,  ///< what the one says who makes the particle: addParticles() fills in all of them
+        zero,   ///< zero, which means something
+        constant,  ///< `value`, in every component
         identity,  ///< of matrices
         same,      ///< the value of another field
     };
     Kind kind = Kind::none;
     const FieldInfo* other = nullptr;  ///< for Kind::same: of the same rank, its own is `given`
+    double value = 0;                  ///< for Kind::constant; not of rank integer
 };
 
 namespace initial_value {
 inline constexpr InitialValue none{};
 inline constexpr InitialValue given{InitialValue::Kind::given};
 inline constexpr InitialValue zero{InitialValue::Kind::zero};
+constexpr InitialValue constant(double value) {
+    return {InitialValue::Kind::constant, nullptr, value};
+}
 inline constexpr InitialValue identity{InitialValue::Kind::identity};
 constexpr InitialValue sameAs(const FieldInfo& other) { return {InitialValue::Kind::same, &other}; }
 }  // namespace initial_value

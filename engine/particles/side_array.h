@@ -2,17 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/archive.h"
+#include "core/errors.h"
+#include "particles/id_order.h"
 #include "particles/particle_set.h"
 
+#include <cstring>
 #include <functional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace sphinx {
 
 /// One value for each particle of a set, kept by a method beside the fields: follows the particles
 /// when they come, go or change places in memory. The set lives longer. (What is filled anew before
 /// each use needs no such care, and what follows from the initial state can be made anew when
-/// ParticleSet::arrangement() has changed.)
+/// ParticleSet::arrangement() has changed.) What has to outlive the run itself goes through
+/// transfer().
 template <class T>
 class SideArray {
  public:
@@ -21,6 +29,7 @@ class SideArray {
     template <int Dim>
     SideArray(ParticleSet<Dim>& particles, std::function<T(std::size_t)> initial)
         : initial_(std::move(initial)),
+          order_([&particles] { return IdOrder(particles); }),
           subscription_(particles.remaps(), [this](const Remap& remap) { follow(remap); }) {
         grow(particles.held());
     }
@@ -30,6 +39,26 @@ class SideArray {
     const T* data() const { return values_.data(); }
     T& operator[](std::size_t i) { return values_[i]; }
     const T& operator[](std::size_t i) const { return values_[i]; }
+
+    /// For Method::transfer(): the values of the particles, by id. Those of a restart are there
+    /// when methods are asked. T consists of doubles. FileError when the number is another.
+    void transfer(Archive& archive, std::string_view name) {
+        static_assert(sizeof(T) % sizeof(double) == 0, "of numbers in double precision");
+        constexpr std::size_t width = sizeof(T) / sizeof(double);
+        const IdOrder order = order_();
+        std::vector<double> numbers;
+        if (!archive.loading()) {
+            numbers.resize(order.size() * width);
+            for (std::size_t k = 0; k < order.size(); ++k)
+                std::memcpy(&numbers[k * width], &values_[order[k]], sizeof(T));
+        }
+        archive.value(name, numbers);
+        if (!archive.loading()) return;
+        if (numbers.size() != order.size() * width)
+            throw FileError("the restart has another number of values for " + std::string(name));
+        for (std::size_t k = 0; k < order.size(); ++k)
+            std::memcpy(static_cast<void*>(&values_[order[k]]), &numbers[k * width], sizeof(T));
+    }
 
  private:
     void follow(const Remap& remap) {
@@ -48,6 +77,7 @@ class SideArray {
 
     std::function<T(std::size_t)> initial_;
     AlignedVector<T> values_;
+    std::function<IdOrder()> order_;
     RemapSubscription subscription_;
 };
 

@@ -8,9 +8,11 @@ namespace sphinx::constraint {
 
 template <int Dim>
 Clamp<Dim>::Clamp(Context<Dim>& context, Part<Dim> part)
-    : relations_(&context.relations),
+    : Support<Dim>(part),
+      relations_(&context.relations),
       part_(part),
       relation_(&context.relations.reference(part.body(), part.body())),
+      position_(part.body().particles.position()),
       velocity_(part.body().particles.vector(fields::velocity)),
       acceleration_(part.body().particles.vector(fields::acceleration)),
       external_(part.body().particles.vector(fields::external_acceleration)),
@@ -35,15 +37,16 @@ void Clamp<Dim>::run(const Clock& clock) {
         const auto load = [&](Index i) -> Vec<Dim> {
             return mass_[i] * external_[i] + pressure_force_[i] + viscous_force_[i];
         };
-        this->reaction_.setZero();
-        for (const Index i : images_) this->reaction_ -= mass_[i] * acceleration_[i];
+        Load<Dim> reaction;
+        for (const Index i : images_) reaction.add(position_[i], -mass_[i] * acceleration_[i]);
         for (const ImageLink& link : links_) {
             const Index i = link.image;
             const Vec<Dim> force = link.weight * (mass_[i] * acceleration_[i] - load(i));
-            this->reaction_ += force;
+            reaction.add(position_[link.real], force);
             acceleration_[link.real] += force / mass_[link.real];
             velocity_[link.real] += clock.dt / mass_[link.real] * force;
         }
+        this->setLoad(reaction);
     }
     for (const Index i : images_) velocity_[i].setZero();
     for (const ImageLink& link : links_)

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "dynamics/constraint/mirror_images.h"
-#include "dynamics/constraint/support.h"
 #include "dynamics/declare.h"
+#include "dynamics/known_load.h"
 
 namespace sphinx::constraint {
 
@@ -30,8 +30,7 @@ class Clamp final : public Method, public Support<Dim> {
     void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
 
-    const Body<Dim>& supported() const override { return part_.body(); }
-    void transfer(Archive& archive) override { this->transferReaction(archive); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
 
  private:
     /// Where the particles have other places than those found.
@@ -44,6 +43,7 @@ class Clamp final : public Method, public Support<Dim> {
     std::vector<ImageLink> links_;
     std::uint64_t arrangement_ = ~std::uint64_t{0};  // of the particles that these name
 
+    Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& acceleration_;
     Field<Vec<Dim>>& external_;

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/constraint/fix.h"
 
-#include "core/sum_all.h"
+#include "core/parallel.h"
 
 namespace sphinx::constraint {
 
 template <int Dim>
 Fix<Dim>::Fix(Part<Dim> part, const std::vector<int>& directions)
-    : part_(part),
+    : Support<Dim>(part),
+      part_(part),
       velocity_(part.body().particles.vector(fields::velocity)),
       mass_(part.body().particles.scalar(fields::mass)) {
     fixed_.fill(directions.empty());
@@ -17,37 +18,17 @@ Fix<Dim>::Fix(Part<Dim> part, const std::vector<int>& directions)
 
 template <int Dim>
 void Fix<Dim>::run(const Clock& clock) {
-    momentum_.resize(part_.size());
+    AlignedVector<Vec<Dim>>& force = this->forces();
+    const double rate = clock.is_start ? 0 : 1 / clock.dt;
     parallelFor(part_.size(), [&](std::size_t n) {
         const std::size_t i = part_[n];
-        momentum_[n].setZero();
+        force[n].setZero();
         for (int c = 0; c < Dim; ++c) {
             if (!fixed_[static_cast<std::size_t>(c)]) continue;
-            momentum_[n][c] = mass_[i] * velocity_[i][c];
+            force[n][c] = -rate * mass_[i] * velocity_[i][c];
             velocity_[i][c] = 0;
         }
     });
-    duration_ = clock.is_start ? 0 : clock.dt;
-}
-
-template <int Dim>
-Vec<Dim> Fix<Dim>::reaction() const {
-    if (duration_ == 0) return this->reaction_;
-    const Vec<Dim> sum = sumAll(momentum_.size(), [&](std::size_t n) { return momentum_[n]; });
-    return -sum / duration_;
-}
-
-template <int Dim>
-void Fix<Dim>::rest() {
-    this->letGo();
-    duration_ = 0;
-}
-
-template <int Dim>
-void Fix<Dim>::transfer(Archive& archive) {
-    this->reaction_ = reaction();
-    duration_ = 0;
-    this->transferReaction(archive);
 }
 
 void declareFix(input::Registry& registry) {

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/constraint/support.h"
 #include "dynamics/declare.h"
-#include "dynamics/part.h"
+#include "dynamics/known_load.h"
 
 #include <array>
 
@@ -24,21 +23,14 @@ class Fix final : public Method, public Support<Dim> {
     Fix(Part<Dim> part, const std::vector<int>& directions);
     void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
-    void rest() override;
-
-    const Body<Dim>& supported() const override { return part_.body(); }
-    Vec<Dim> reaction() const override;
-    void transfer(Archive& archive) override;
+    void rest() override { this->setLoad({}); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
 
  private:
     Part<Dim> part_;
     std::array<bool, Dim> fixed_{};
     Field<Vec<Dim>>& velocity_;
     Field<double>& mass_;
-    // What its particles have lost in the last step, and how long that was. Steps are many, and few
-    // ask for the sum. 0: the reaction is known, or there has been no step.
-    AlignedVector<Vec<Dim>> momentum_;
-    double duration_ = 0;
 };
 
 /// Registers constraint.fix.

@@ -4,7 +4,6 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
-#include "core/sum_all.h"
 #include "dynamics/turned_normal.h"
 
 #include <fmt/format.h>
@@ -52,22 +51,22 @@ void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
     const auto& mass = this->part_.body().particles.scalar(fields::mass);
     const auto before = this->motion_.at(clock.time);
     const auto after = this->motion_.at(clock.time + dt);
-    const Vec<Dim> momentum = sumAll(this->part_.size(), [&](std::size_t n) {
+    AlignedVector<Vec<Dim>>& force = this->forces();
+    const std::size_t spoilt = countLocal(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
         const Vec<Dim>& start = this->initial_position_[i];
-        Vec<Dim> gained = Vec<Dim>::Zero();
+        force[n].setZero();
         for (int c = 0; c < Dim; ++c) {
             if (!this->moves(c)) continue;
             const double u = after(start, c);
             const double v = (u - before(start, c)) / dt;
-            gained[c] = mass[i] * (v - velocity[i][c]);
+            force[n][c] = mass[i] * (v - velocity[i][c]) / dt;
             velocity[i][c] = v;
             position[i][c] = start[c] + u - 0.5 * dt * v;
         }
-        return gained;
+        return !force[n].allFinite();
     });
-    if (!momentum.allFinite()) this->requireFinite({clock.time, clock.time + dt});
-    this->reaction_ = momentum / dt;
+    if (spoilt > 0) this->requireFinite({clock.time, clock.time + dt});
 }
 
 template <int Dim>

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "dynamics/constraint/motion.h"
-#include "dynamics/constraint/support.h"
 #include "dynamics/declare.h"
-#include "dynamics/part.h"
+#include "dynamics/known_load.h"
 
 #include <array>
 #include <initializer_list>
@@ -60,11 +59,12 @@ class PrescribedMotion : public Method {
 template <int Dim>
 class PrescribedSolidMotion final : public PrescribedMotion<Dim>, public Support<Dim> {
  public:
-    using PrescribedMotion<Dim>::PrescribedMotion;
+    PrescribedSolidMotion(const World<Dim>& world, Part<Dim> part, Motion<Dim> motion,
+                          const std::vector<int>& directions)
+        : PrescribedMotion<Dim>(world, part, std::move(motion), directions), Support<Dim>(part) {}
     void run(const Clock& clock) override;
-    void rest() override { this->letGo(); }
-    const Body<Dim>& supported() const override { return this->part_.body(); }
-    void transfer(Archive& archive) override { this->transferReaction(archive); }
+    void rest() override { this->setLoad({}); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
 };
 
 /// Of a rigid body, at the start of a step: the position R + u(t + dt) at its end, and velocity and

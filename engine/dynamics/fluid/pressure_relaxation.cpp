@@ -225,6 +225,9 @@ void declarePressureRelaxation(input::Registry& registry) {
                }),
                "how pressure and velocity between two particles are found");
     d.trait("sums_over_itself");
+    d.rule([](const input::Component& method, WrittenCase& written) {
+        warnUnbounded(method, written, "fluid.acoustic_time_step");
+    });
     d.action("first_half",
              "density, pressure and position to the half step; velocity by a whole step",
              [](auto& method, const Clock& clock) { method.firstHalf(clock); })

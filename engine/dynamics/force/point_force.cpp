@@ -9,7 +9,8 @@ namespace sphinx::force {
 
 template <int Dim>
 PointForce<Dim>::PointForce(Part<Dim> part, std::vector<input::FieldExpression> force)
-    : part_(part),
+    : AppliedLoad<Dim>(part),
+      part_(part),
       force_(std::move(force)),
       velocity_(part.body().particles.vector(fields::velocity)),
       mass_(part.body().particles.scalar(fields::mass)),
@@ -25,9 +26,12 @@ void PointForce<Dim>::run(const Clock& clock) {
         return mass_[i] * (position[i] + half * velocity_[i]);
     });
     const Vec<Dim> centre = moment / mass;
-    const Vec<Dim> acceleration =
-        input::VectorAtTime<Dim>(force_, clock.time + half)(centre) / mass;
+    const Vec<Dim> force = input::VectorAtTime<Dim>(force_, clock.time + half)(centre);
+    const Vec<Dim> acceleration = force / mass;
     parallelFor(part_.size(), [&](std::size_t n) { external_[part_[n]] += acceleration; });
+    Load<Dim> load;
+    load.add(centre, force);
+    this->setLoad(load);
 }
 
 void declarePointForce(input::Registry& registry) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dynamics/declare.h"
-#include "dynamics/part.h"
+#include "dynamics/known_load.h"
 
 namespace sphinx::force {
 
@@ -16,12 +16,14 @@ struct PointForceParameters {
 /// each gets the acceleration F/M and the sum is exactly F. Evaluated at the middle of the step,
 /// where the velocity gets its kick.
 template <int Dim>
-class PointForce final : public Method {
+class PointForce final : public Method, public AppliedLoad<Dim> {
  public:
     PointForce(Part<Dim> part, std::vector<input::FieldExpression> force);
 
     void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
+    void rest() override { this->setLoad({}); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
 
  private:
     Part<Dim> part_;

@@ -8,24 +8,29 @@ namespace sphinx::force {
 
 template <int Dim>
 Spring<Dim>::Spring(const Domain<Dim>& domain, Part<Dim> part, double stiffness, double damping)
-    : domain_(&domain),
+    : AppliedLoad<Dim>(part),
+      domain_(&domain),
       part_(part),
       stiffness_(stiffness),
       damping_(damping),
       initial_position_(part.body().particles.vector(fields::initial_position)),
       velocity_(part.body().particles.vector(fields::velocity)),
-      external_(part.body().particles.vector(fields::external_acceleration)) {}
+      external_(part.body().particles.vector(fields::external_acceleration)),
+      mass_(part.body().particles.scalar(fields::mass)) {}
 
 template <int Dim>
 void Spring<Dim>::run(const Clock& clock) {
     const double half = 0.5 * clock.dt;
     const auto& position = part_.body().particles.position();
+    AlignedVector<Vec<Dim>>& force = this->forces();
     const double share = 1 / (part_.mass() + damping_ * half);
     parallelFor(part_.size(), [&](std::size_t n) {
         const std::size_t i = part_[n];
         const Vec<Dim> u =
             domain_->difference(position[i], initial_position_[i]) + half * velocity_[i];
-        external_[i] -= share * (stiffness_ * u + damping_ * velocity_[i]);
+        const Vec<Dim> acceleration = share * (stiffness_ * u + damping_ * velocity_[i]);
+        external_[i] -= acceleration;
+        force[n] = -mass_[i] * acceleration;
     });
 }
 

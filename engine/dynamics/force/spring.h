@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dynamics/declare.h"
-#include "dynamics/part.h"
+#include "dynamics/known_load.h"
 
 namespace sphinx::force {
 
@@ -19,12 +19,14 @@ struct SpringParameters {
 /// middle of the step, where the velocity gets its kick dt a: u = r + dt/2 v - R and v + dt/2 a, so
 /// that a (M + c dt/2) = -(k u + c v).
 template <int Dim>
-class Spring final : public Method {
+class Spring final : public Method, public AppliedLoad<Dim> {
  public:
     Spring(const Domain<Dim>& domain, Part<Dim> part, double stiffness, double damping);
 
     void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
+    void rest() override { this->setLoad({}); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
 
  private:
     const Domain<Dim>* domain_;
@@ -34,6 +36,7 @@ class Spring final : public Method {
     Field<Vec<Dim>>& initial_position_;
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& external_;
+    Field<double>& mass_;
 };
 
 /// Registers force.spring.

@@ -16,7 +16,8 @@ namespace sphinx::force {
 template <int Dim>
 SurfacePressure<Dim>::SurfacePressure(Part<Dim> part, input::FieldExpression pressure,
                                       double thickness, std::vector<input::FieldExpression> normal)
-    : part_(part),
+    : AppliedLoad<Dim>(part),
+      part_(part),
       pressure_(std::move(pressure)),
       thickness_(thickness),
       given_normal_(std::move(normal)),
@@ -48,6 +49,7 @@ void SurfacePressure<Dim>::run(const Clock& clock) {
     findAreas();
     const double half = 0.5 * clock.dt;
     const auto& position = part_.body().particles.position();
+    AlignedVector<Vec<Dim>>& force = this->forces();
     parallelFor(part_.size(), [&](std::size_t n) {
         const std::size_t i = part_[n];
         const Mat<Dim> F = gradient_[i] + half * rate_[i];
@@ -55,6 +57,7 @@ void SurfacePressure<Dim>::run(const Clock& clock) {
         const double p = pressure_.template operator()<Dim>(r, clock.time + half);
         const Vec<Dim> area = F.determinant() * (F.inverse().transpose() * area_[n]);
         external_[i] -= p / mass_[i] * area;
+        force[n] = -p * area;
     });
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dynamics/declare.h"
-#include "dynamics/part.h"
+#include "dynamics/known_load.h"
 
 #include <optional>
 
@@ -22,7 +22,7 @@ struct SurfacePressureParameters {
 /// det(F_i) F_i^-T N_i V_i/d. On a plane face at rest the sum is exactly -p N times the area. Taken
 /// at the middle of the step, where the velocity gets its kick.
 template <int Dim>
-class SurfacePressure final : public Method {
+class SurfacePressure final : public Method, public AppliedLoad<Dim> {
  public:
     /// thickness: d, length. normal: expressions of the initial position, of any length; empty: N
     /// of the body's shape.
@@ -32,6 +32,8 @@ class SurfacePressure final : public Method {
     void prepare() override { findAreas(); }
     void run(const Clock& clock);
     std::size_t workSize() const override { return part_.size(); }
+    void rest() override { this->setLoad({}); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
 
  private:
     /// Where the particles have other places than those found.

@@ -98,6 +98,9 @@ void declareStressRelaxation(input::Registry& registry) {
         "without, can share the time of a run");
     d.trait("sums_over_itself");
     d.rule(checkBonded);
+    d.rule([](const input::Component& method, WrittenCase& written) {
+        warnUnbounded(method, written, "solid.acoustic_time_step");
+    });
     d.rule(checkHourglassControl);
     d.action("first_half",
              "deformation, stress and position to the half step; velocity by a whole "

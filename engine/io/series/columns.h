@@ -14,6 +14,12 @@ namespace sphinx::io {
 template <int Dim>
 std::vector<std::string> componentLabels(Rank rank);
 
+/// Labels of a moment (dynamics/load.h): none in 2D, where it has one component.
+template <int Dim>
+std::vector<std::string> momentLabels() {
+    return componentLabels<3>(Dim == 2 ? Rank::scalar : Rank::vector);
+}
+
 /// Labels of values at several points, numbered from 0: "3" or "3_x"; at a single point those of
 /// the components alone.
 std::vector<std::string> pointLabels(std::size_t points,

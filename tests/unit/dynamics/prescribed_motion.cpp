@@ -69,9 +69,9 @@ TEST_CASE("what moves a body as a whole gives its mass times its acceleration") 
     const double mass = massOf(body);
     for (int k = 0; k < 20; ++k) {
         stepper.step(1e-3, {}, {&motion});
-        if (k > 0) CHECK((motion.reaction() - mass * Vec<3>(3, 0, -4)).norm() < 1e-9 * mass);
+        if (k > 0) CHECK((motion.load().force - mass * Vec<3>(3, 0, -4)).norm() < 1e-9 * mass);
     }
-    CHECK(&motion.supported() == &body);
+    CHECK(&motion.loaded() == &body);
 }
 
 TEST_CASE("the stress of a block that is stretched") {
@@ -103,7 +103,7 @@ TEST_CASE("the stress of a block that is stretched") {
         CHECK(energy[i] == Approx(W).epsilon(1e-10));
     }
     // What the motion takes to hold the block adds up to nothing.
-    CHECK(motion.reaction().norm() < 1e-10 * youngs_modulus * spacing * spacing);
+    CHECK(motion.load().force.norm() < 1e-10 * youngs_modulus * spacing * spacing);
 }
 
 TEST_CASE("a wall that moves: what a fluid sees of it") {

@@ -103,6 +103,9 @@ TEMPLATE_TEST_CASE_SIG("new particles have the initial values of their fields", 
     particles.matrix(fields::deformation_gradient);
     particles.vector(fields::pressure_force);
     particles.scalar(fields::depth);
+    static constexpr FieldInfo warm{"warm", Rank::vector, unit::none, "for this test",
+                                    initial_value::constant(3.5)};
+    particles.vector(warm);
     add(particles, 2);
     const auto& gradient = particles.matrix(fields::deformation_gradient);
     const auto& start = particles.vector(fields::initial_position);
@@ -113,6 +116,7 @@ TEMPLATE_TEST_CASE_SIG("new particles have the initial values of their fields", 
         CHECK(gradient[i] == Mat<Dim>::Identity());
         CHECK(particles.vector(fields::pressure_force)[i].isZero(0));
         CHECK(particles.scalar(fields::depth)[i] == 0);
+        CHECK(particles.vector(warm)[i] == Vec<Dim>::Constant(3.5));
     }
 
     SECTION("those that come later leave the others alone") {
@@ -125,6 +129,7 @@ TEMPLATE_TEST_CASE_SIG("new particles have the initial values of their fields", 
         CHECK(gradient[1] == Mat<Dim>::Constant(3));
         CHECK(gradient[2] == Mat<Dim>::Identity());
         CHECK(particles.vector(fields::pressure_force)[1] == Vec<Dim>::Constant(3));
+        CHECK(particles.vector(warm)[2] == Vec<Dim>::Constant(3.5));
     }
     SECTION("a field that is asked for late has them, too, and makes the one that it follows") {
         const auto& pressure = particles.scalar(fields::average_pressure);

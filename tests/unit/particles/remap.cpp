@@ -3,6 +3,8 @@
 #include "particles/remap.h"
 #include "particles/side_array.h"
 
+#include "../memory_archive.h"
+
 #include <catch2/catch.hpp>
 
 #include <optional>
@@ -121,4 +123,29 @@ TEST_CASE("a side array follows its particles") {
     CHECK(now() == std::vector<double>{20, 10, 40});
     particles.restore(2, 6);
     CHECK(now() == std::vector<double>{1000, 1001});
+}
+
+TEST_CASE("a side array goes into a restart by particle, wherever they stand") {
+    ParticleSet<2> particles;
+    particles.append(4);
+    const auto byId = [&](std::size_t i) -> Vec<2> {
+        return Vec<2>(static_cast<double>(particles.id()[i]), 0.5);
+    };
+    SideArray<Vec<2>> values(particles, byId);
+    particles.permute({2, 0, 3, 1});
+    test::MemoryArchive archive;
+    values.transfer(archive, "values");
+
+    // A resumed run begins in the order of ids.
+    ParticleSet<2> resumed;
+    resumed.append(4);
+    SideArray<Vec<2>> back(resumed, [](std::size_t) -> Vec<2> { return Vec<2>::Zero(); });
+    archive.is_loading = true;
+    back.transfer(archive, "values");
+    for (std::size_t i = 0; i < 4; ++i)
+        CHECK(back[i] == Vec<2>(static_cast<double>(resumed.id()[i]), 0.5));
+
+    resumed.append(1);
+    CHECK_THROWS_WITH(back.transfer(archive, "values"),
+                      "the restart has another number of values for values");
 }

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/reduce_load.h"
+
+#include "dynamics/known_load.h"
+#include "io/series/columns.h"
+#include "measure/reduce.h"
+
+#include <algorithm>
+
+namespace sphinx::io {
+namespace {
+
+/// How a kind of load is called in columns and messages.
+struct Words {
+    std::string column;
+    std::string doc;
+    std::string missing;  ///< "no method of the loop ..." without the body
+};
+
+/// Sum over the methods of the class Kind that load the body.
+template <template <int> class Kind, int Dim>
+std::unique_ptr<SeriesSource> makeSource(const Body<Dim>& body, const input::Place& place,
+                                         const OutputContext<Dim>& context,
+                                         const std::optional<Vec<Dim>>& about, const Words& words) {
+    std::vector<const Kind<Dim>*> loads;
+    for (const Method* method : context.methods) {
+        const auto* load = dynamic_cast<const Kind<Dim>*>(method);
+        if (load && &load->loaded() == &body) loads.push_back(load);
+    }
+    if (loads.empty()) failAt(place, words.missing + " '" + body.name + "'");
+    std::vector<SeriesQuantity> quantities{{words.column, context.units.text(unit::force),
+                                            "force of " + words.doc + " on the body",
+                                            componentLabels<Dim>(Rank::vector)}};
+    if (about)
+        quantities.push_back({words.column + "_moment",
+                              context.units.text(unit::force * unit::length),
+                              "moment of " + words.doc + " about the point", momentLabels<Dim>()});
+    return std::make_unique<ReduceSource>(quantities, [loads, about](std::span<double> row) {
+        Load<Dim> sum;
+        for (const auto* load : loads) sum += load->load();
+        std::copy(sum.force.begin(), sum.force.end(), row.begin());
+        if (!about) return;
+        const Moment<Dim> moment = sum.moment - momentOf<Dim>(*about, sum.force);
+        std::copy(moment.begin(), moment.end(), row.begin() + Dim);
+    });
+}
+
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<SeriesSource> makeReactionSource(const Body<Dim>& body, const input::Place& place,
+                                                 const OutputContext<Dim>& context,
+                                                 const std::optional<Vec<Dim>>& about) {
+    return makeSource<Support>(
+        body, place, context, about,
+        {"reaction", "the constraints", "no method of the loop holds particles of"});
+}
+
+template <int Dim>
+std::unique_ptr<SeriesSource> makeAppliedSource(const Body<Dim>& body, const input::Place& place,
+                                                const OutputContext<Dim>& context,
+                                                const std::optional<Vec<Dim>>& about) {
+    return makeSource<AppliedLoad>(
+        body, place, context, about,
+        {"applied", "the loads from outside", "no method of the loop loads particles of"});
+}
+
+template std::unique_ptr<SeriesSource> makeReactionSource(const Body<2>&, const input::Place&,
+                                                          const OutputContext<2>&,
+                                                          const std::optional<Vec<2>>&);
+template std::unique_ptr<SeriesSource> makeReactionSource(const Body<3>&, const input::Place&,
+                                                          const OutputContext<3>&,
+                                                          const std::optional<Vec<3>>&);
+template std::unique_ptr<SeriesSource> makeAppliedSource(const Body<2>&, const input::Place&,
+                                                         const OutputContext<2>&,
+                                                         const std::optional<Vec<2>>&);
+template std::unique_ptr<SeriesSource> makeAppliedSource(const Body<3>&, const input::Place&,
+                                                         const OutputContext<3>&,
+                                                         const std::optional<Vec<3>>&);
+
+}  // namespace sphinx::io
