@@ -38,19 +38,19 @@ struct CommandLine {
     std::vector<std::string> overrides;
     std::string name;
     bool markdown = false;
-    model::RunOptions run;
+    run::RunOptions run;
     std::string time_limit;
 };
 
 void show(const CommandLine& line, const input::Registry& registry) {
-    const model::Case model = model::readCase(line.case_file, line.overrides, registry);
+    const model::Case model = language::readCase(line.case_file, line.overrides, registry);
     std::fputs(model.warnings.c_str(), stderr);
-    print(model::showCase(model));
+    print(run::showCase(model));
 }
 
 void check(const CommandLine& line, const input::Registry& registry) {
-    const model::CheckReport report =
-        model::checkCase(model::readCase(line.case_file, line.overrides, registry));
+    const run::CheckReport report =
+        run::checkCase(language::readCase(line.case_file, line.overrides, registry));
     std::fputs(report.warnings.c_str(), stderr);
     print(report.text);
 }
@@ -77,7 +77,7 @@ double readDuration(const std::string& text) {
 
 int runVerb(CommandLine& line, const input::Registry& registry) {
     if (!line.time_limit.empty()) line.run.time_limit = readDuration(line.time_limit);
-    return model::runCase(model::readCase(line.case_file, line.overrides, registry), line.run);
+    return run::runCase(language::readCase(line.case_file, line.overrides, registry), line.run);
 }
 
 void addCase(CLI::App& verb, CommandLine& line) {
@@ -98,13 +98,14 @@ void requireVerb(const CLI::App& app, const std::string& word) {
         throw CaseError("error: there is no verb '" + word + "'" + input::didYouMean(word, verbs));
 }
 
-int run(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
     input::Registry registry;
-    registerAll(registry);
+    language::registerAll(registry);
     CommandLine line;
     CLI::App app("sphinx: smoothed particle hydrodynamics from a YAML case");
     app.require_subcommand(1);
-    app.set_version_flag("--version", "sphinx " + programVersion() + " (" + programCommit() + ")");
+    app.set_version_flag("--version",
+                         "sphinx " + run::programVersion() + " (" + run::programCommit() + ")");
     int code = exit_done;
 
     auto* run_verb = app.add_subcommand("run", "run a case");
@@ -168,7 +169,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        return runProgram(argc, argv);
     } catch (const sphinx::CaseError& e) {
         printError(e.what());
         return sphinx::exit_case_wrong;

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::bodies {
 
 /// Particles of a body that lie in a shape at the start.
 template <int Dim>
@@ -30,10 +30,10 @@ struct Body {
     std::string name;
     /// In the order of Role.
     std::variant<ObserverRole, FluidRole<Dim>, WallRole, ElasticRole<Dim>> role;
-    ParticleSet<Dim> particles;
+    particles::ParticleSet<Dim> particles;
     geometry::ShapePointer<Dim> shape;  ///< null for bodies given by points
     double spacing = 0;                 ///< dp, length
-    Kernel<Dim> kernel;
+    kernels::Kernel<Dim> kernel;
     std::vector<Body*> sees;  ///< topology: whose particles act on this body
     /// Neighbors that are one piece of material with this body (topology: bonded).
     std::vector<Body*> bonded;
@@ -42,13 +42,14 @@ struct Body {
     /// another count is stale.
     std::uint64_t version = 0;
     /// Parts and shares follow particles that come, go or change places in memory.
-    RemapSubscription remapped{particles.remaps(), [this](const Remap& remap) { follow(remap); }};
+    particles::RemapSubscription remapped{particles.remaps(),
+                                          [this](const particles::Remap& remap) { follow(remap); }};
 
     /// Own particles, and those with copies of other processes' (ParticleSet::held).
     std::size_t size() const { return particles.size(); }
     std::size_t held() const { return particles.held(); }
     /// Finds the particles of the parts, and the shares, anew from the initial positions.
-    void findParts() { follow(Remap(std::size_t{0}, size(), size())); }
+    void findParts() { follow(particles::Remap(std::size_t{0}, size(), size())); }
 
     Role roleName() const { return static_cast<Role>(role.index()); }
     bool isFluid() const { return std::holds_alternative<FluidRole<Dim>>(role); }
@@ -64,7 +65,7 @@ struct Body {
     const ElasticRole<Dim>& elastic() const { return as<const ElasticRole<Dim>>(role); }
 
     /// Null for observers.
-    const Material* material() const {
+    const materials::Material* material() const {
         if (isFluid()) return fluid().material.get();
         if (isElastic()) return elastic().material.get();
         return isWall() ? std::get<WallRole>(role).material.get() : nullptr;
@@ -99,7 +100,7 @@ struct Body {
         assert(found && "the body has another role");
         return *found;
     }
-    void follow(const Remap& remap);
+    void follow(const particles::Remap& remap);
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace sphinx {
+namespace sphinx::bodies {
 
 enum class LostParticles { stop, remove };
 
@@ -31,4 +31,4 @@ struct Domain {
     }
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

@@ -8,7 +8,7 @@
 
 #include <cassert>
 
-namespace sphinx {
+namespace sphinx::bodies {
 namespace {
 
 /// Calls give(particle, i) for all of them, i their places in the body.
@@ -19,7 +19,7 @@ void giveAll(const std::vector<NewParticle<Dim>>& made, std::size_t first, Give&
 
 template <int Dim>
 void giveMass(Body<Dim>& body, const std::vector<NewParticle<Dim>>& made, std::size_t first) {
-    ParticleSet<Dim>& particles = body.particles;
+    particles::ParticleSet<Dim>& particles = body.particles;
     auto& velocity = particles.vector(fields::velocity);
     auto& density = particles.scalar(fields::density);
     auto& mass = particles.scalar(fields::mass);
@@ -34,7 +34,7 @@ void giveMass(Body<Dim>& body, const std::vector<NewParticle<Dim>>& made, std::s
     };
     if (!body.isFluid())
         return give([&](const NewParticle<Dim>&) { return body.material()->density(); });
-    withLaw(*body.fluid().material, [&](const auto& law) {
+    materials::withLaw(*body.fluid().material, [&](const auto& law) {
         give([&](const NewParticle<Dim>& one) { return law.densityAt(one.pressure); });
     });
     auto& pressure = particles.scalar(fields::pressure);
@@ -43,12 +43,12 @@ void giveMass(Body<Dim>& body, const std::vector<NewParticle<Dim>>& made, std::s
 }
 
 template <int Dim>
-void giveFibres(const HolzapfelMuscle& muscle, ParticleSet<Dim>& particles,
+void giveFibres(const materials::HolzapfelMuscle& muscle, particles::ParticleSet<Dim>& particles,
                 const std::vector<NewParticle<Dim>>& made, std::size_t first) {
     auto& fibre = particles.vector(fields::fibre);
     auto& sheet = particles.vector(fields::sheet);
     giveAll(made, first, [&](const NewParticle<Dim>& one, std::size_t i) {
-        Fibres<Dim> fibres;
+        materials::Fibres<Dim> fibres;
         [[maybe_unused]] const auto violation =
             muscle.parameters().template directions<Dim>(one.position, fibres);
         assert(!violation && "the directions of the fibres were not looked at before");
@@ -59,10 +59,10 @@ void giveFibres(const HolzapfelMuscle& muscle, ParticleSet<Dim>& particles,
 
 }  // namespace
 
-std::vector<const FieldInfo*> ownFields(Role role, bool fibres) {
+std::vector<const particles::FieldInfo*> ownFields(Role role, bool fibres) {
     if (role == Role::observer) return {};
-    std::vector<const FieldInfo*> own{&fields::velocity, &fields::density, &fields::mass,
-                                      &fields::volume};
+    std::vector<const particles::FieldInfo*> own{&fields::velocity, &fields::density, &fields::mass,
+                                                 &fields::volume};
     own.push_back(role == Role::fluid ? &fields::pressure : &fields::acceleration);
     if (role == Role::elastic) own.push_back(&fields::initial_position);
     if (fibres) own.insert(own.end(), {&fields::fibre, &fields::sheet});
@@ -71,9 +71,10 @@ std::vector<const FieldInfo*> ownFields(Role role, bool fibres) {
 
 template <int Dim>
 void addParticles(Body<Dim>& body, const std::vector<NewParticle<Dim>>& made) {
-    ParticleSet<Dim>& particles = body.particles;
-    const auto* muscle = dynamic_cast<const HolzapfelMuscle*>(body.material());
-    for (const FieldInfo* field : ownFields(body.roleName(), muscle)) particles.require(*field);
+    particles::ParticleSet<Dim>& particles = body.particles;
+    const auto* muscle = dynamic_cast<const materials::HolzapfelMuscle*>(body.material());
+    for (const particles::FieldInfo* field : ownFields(body.roleName(), muscle))
+        particles.require(*field);
     particles.append(made.size(), [&](std::size_t first) {
         giveAll(made, first, [&](const NewParticle<Dim>& one, std::size_t i) {
             particles.position()[i] = one.position;
@@ -87,4 +88,4 @@ void addParticles(Body<Dim>& body, const std::vector<NewParticle<Dim>>& made) {
 template void addParticles(Body<2>&, const std::vector<NewParticle<2>>&);
 template void addParticles(Body<3>&, const std::vector<NewParticle<3>>&);
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

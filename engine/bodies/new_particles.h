@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::bodies {
 
 /// What has to be said of a particle to make it.
 template <int Dim>
@@ -19,7 +19,7 @@ struct NewParticle {
 
 /// Fields that the particles of a body of that role have by themselves. Others come with the
 /// methods that ask for them.
-std::vector<const FieldInfo*> ownFields(Role role, bool fibres);
+std::vector<const particles::FieldInfo*> ownFields(Role role, bool fibres);
 
 /// Makes particles, at the start or in the midst of a run. All their fields have the right values,
 /// those that methods have asked for included: the density is that at the pressure, the mass
@@ -30,4 +30,4 @@ std::vector<const FieldInfo*> ownFields(Role role, bool fibres);
 template <int Dim>
 void addParticles(Body<Dim>& body, const std::vector<NewParticle<Dim>>& made);
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

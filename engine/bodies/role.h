@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace sphinx {
+namespace sphinx::bodies {
 
 /// What a body is to others; what each of them knows: roles.h.
 enum class Role {
@@ -12,4 +12,4 @@ enum class Role {
     elastic,
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::bodies {
 
 template <int Dim>
 struct BodyPart;
@@ -23,19 +23,19 @@ struct BodyPart;
 /// Moves by its pressure.
 template <int Dim>
 struct FluidRole {
-    std::shared_ptr<const Fluid> material;
+    std::shared_ptr<const materials::Fluid> material;
     Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
 };
 
 /// Does not deform, and stands still or moves as prescribed: holds fluids back.
 struct WallRole {
-    std::shared_ptr<const Material> material;
+    std::shared_ptr<const materials::Material> material;
 };
 
 /// Moves by its stress.
 template <int Dim>
 struct ElasticRole {
-    std::shared_ptr<const ElasticSolid> material;
+    std::shared_ptr<const materials::ElasticSolid> material;
     Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
     /// Stiffness of its hourglass control, pressure; see solid/deformation.h.
     double hourglass_modulus = 0;
@@ -56,4 +56,4 @@ struct ElasticRole {
 /// Looks, and does not act.
 struct ObserverRole {};
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

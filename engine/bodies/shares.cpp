@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace sphinx {
+namespace sphinx::bodies {
 
 template <int Dim>
 double outside(Body<Dim>& body, const BodyPart<Dim>& part, std::size_t i) {
@@ -30,4 +30,4 @@ template double outside(Body<3>&, const BodyPart<3>&, std::size_t);
 template void findShares(Body<2>&);
 template void findShares(Body<3>&);
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

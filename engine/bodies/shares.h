@@ -4,7 +4,7 @@
 
 #include "bodies/body.h"
 
-namespace sphinx {
+namespace sphinx::bodies {
 
 /// How much of the particle's cell, one spacing wide, lies outside of a part: 0 to 1.
 template <int Dim>
@@ -14,4 +14,4 @@ double outside(Body<Dim>& body, const BodyPart<Dim>& part, std::size_t i);
 template <int Dim>
 void findShares(Body<Dim>& body);
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

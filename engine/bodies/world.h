@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::bodies {
 
 /// All bodies of a case and the space they live in.
 template <int Dim>
@@ -43,4 +43,4 @@ struct World {
     }
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::bodies

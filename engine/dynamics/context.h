@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bodies/world.h"
-#include "neighbors/relations.h"
+#include "dynamics/words.h"
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 namespace fluid {
 template <int Dim>
@@ -21,4 +20,4 @@ struct Context {
     std::vector<const fluid::SolidLoad<Dim>*> loads = {};
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

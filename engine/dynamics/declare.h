@@ -11,7 +11,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// Makes a component in both dimensions.
 template <class Product>
@@ -138,4 +138,4 @@ Body<Dim>& bodyOf(Context<Dim>& context, const input::Name& name) {
     return *context.world.find(name.text);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

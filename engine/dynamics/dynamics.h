@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// One entry of `dynamics`: its actions, which the declaration binds to member functions, run when
 /// lines of the loop call them. Constructors ask for fields and relations; they change no body.
@@ -86,4 +86,4 @@ inline bool isPseudoField(std::string_view field) {
                                [&](const FeltLoad& load) { return load.field == field; });
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

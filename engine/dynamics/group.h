@@ -5,12 +5,12 @@
 #include "core/parallel.h"
 #include "core/records.h"
 #include "core/wide.h"
-#include "particles/field.h"
+#include "dynamics/words.h"
 
 #include <algorithm>
 
 // Loops over eight particles at a time.
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// Eight particles that stand one after the other, or what is left of them at the end of a body.
 struct Group {
@@ -109,4 +109,4 @@ template <int Rows, int Columns>
     detail::store<size>(a, field.data()->data(), group);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

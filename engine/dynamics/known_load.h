@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// A method that knows what it exerts on a solid. Steps are many and few ask: it writes down the
 /// force on each particle, and the sum is made when somebody asks.
@@ -74,4 +74,4 @@ class AppliedLoad : public KnownLoad<Dim> {
     using KnownLoad<Dim>::KnownLoad;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

@@ -5,7 +5,7 @@
 #include "core/sum_all.h"
 #include "core/types.h"
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// A moment: in 2D its component out of the plane.
 template <int Dim>
@@ -42,18 +42,18 @@ struct Load {
     }
 };
 
-namespace detail {
+}  // namespace sphinx::dynamics
+
+namespace sphinx::detail {
 /// For sumAll(): the components of the force, then those of the moment.
 template <int Dim>
-struct Summand<Load<Dim>> {
-    static constexpr int size = Dim + static_cast<int>(Moment<Dim>::SizeAtCompileTime);
-    static double of(const Load<Dim>& load, int k) {
+struct Summand<dynamics::Load<Dim>> {
+    static constexpr int size = Dim + static_cast<int>(dynamics::Moment<Dim>::SizeAtCompileTime);
+    static double of(const dynamics::Load<Dim>& load, int k) {
         return k < Dim ? load.force[k] : load.moment[k - Dim];
     }
-    static void set(Load<Dim>& load, int k, double value) {
+    static void set(dynamics::Load<Dim>& load, int k, double value) {
         (k < Dim ? load.force[k] : load.moment[k - Dim]) = value;
     }
 };
-}  // namespace detail
-
-}  // namespace sphinx
+}  // namespace sphinx::detail

@@ -4,7 +4,7 @@
 
 #include "core/number.h"
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// The geometry of a pair i, j as pair terms see it: of one pair (Number = double) or of eight.
 /// e_ij points from j to i.
@@ -22,4 +22,4 @@ struct Pair {
     }
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

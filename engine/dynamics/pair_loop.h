@@ -4,12 +4,12 @@
 
 #include "core/lanes.h"
 #include "dynamics/pair.h"
-#include "neighbors/neighbor_list.h"
+#include "dynamics/words.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// Vectors of eight particles by components.
 template <int Dim>
@@ -88,4 +88,4 @@ inline void forEachPair(const NeighborList<Dim>& list, std::size_t i, Term&& ter
     }
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

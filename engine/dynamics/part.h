@@ -3,13 +3,13 @@
 #pragma once
 
 #include "bodies/shares.h"
-#include "bodies/world.h"
 #include "core/sum_all.h"
+#include "dynamics/words.h"
 #include "input/types/values.h"
 
 #include <type_traits>
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// Particles that a method acts on: those of a part ("gate.base"), or all of a body ("gate").
 /// OfBody: const Body<Dim> for one who only looks (ConstPart).
@@ -24,7 +24,7 @@ class Part {
         const std::size_t dot = name.text.find('.');
         body_ = world.find(name.text.substr(0, dot));
         if (dot == std::string::npos) return;
-        for (Like<BodyPart<Dim>>& part : body_->parts)
+        for (Like<bodies::BodyPart<Dim>>& part : body_->parts)
             if (part.name == name.text.substr(dot + 1)) part_ = &part;
     }
 
@@ -41,12 +41,12 @@ class Part {
         std::vector<Index> found;
         if (!part_) return found;
         for (std::size_t i = 0; i < body_->size(); ++i)
-            if (outside(*body_, *part_, i) < ElasticRole<Dim>::real_share)
+            if (bodies::outside(*body_, *part_, i) < bodies::ElasticRole<Dim>::real_share)
                 found.push_back(static_cast<Index>(i));
         return found;
     }
     /// Where its particles are at the start; of the body where it is all of it.
-    const geometry::Shape<Dim>* shape() const {
+    const sphinx::geometry::Shape<Dim>* shape() const {
         return part_ ? part_->shape.get() : body_->shape.get();
     }
     /// Of all its particles.
@@ -57,10 +57,10 @@ class Part {
 
  private:
     OfBody* body_;
-    Like<BodyPart<Dim>>* part_ = nullptr;
+    Like<bodies::BodyPart<Dim>>* part_ = nullptr;
 };
 
 template <int Dim>
 using ConstPart = Part<Dim, const Body<Dim>>;
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

@@ -29,7 +29,7 @@
 #include "dynamics/solid/stress_update.h"
 #include "dynamics/solid/update_normals.h"
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 void registerDynamics(input::Registry& registry) {
     constraint::declareClamp(registry);
@@ -60,4 +60,4 @@ void registerDynamics(input::Registry& registry) {
     solid::declareUpdateNormals(registry);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

@@ -4,9 +4,9 @@
 
 #include "input/declaration/registry.h"
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// Declares every method. By explicit calls: a static library may drop static initialisers.
 void registerDynamics(input::Registry& registry);
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

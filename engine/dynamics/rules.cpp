@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 std::vector<input::Name> WrittenCase::references(const input::Component& method,
                                                  std::string_view parameter) {
@@ -34,4 +34,4 @@ void warnUnbounded(const input::Component& method, const WrittenCase& written,
     }
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

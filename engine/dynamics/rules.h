@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bodies/world.h"
+#include "dynamics/words.h"
 #include "input/declaration/component.h"
 #include "input/expressions/units.h"
 #include "input/tree/diagnostics.h"
@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// What the rules of methods see of a case as it is written. They report to `diagnostics`, at the
 /// place of a parameter.
@@ -94,4 +94,4 @@ struct CaseRule {
     void check(BuiltCase<3>& built) const { in3d(built); }
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

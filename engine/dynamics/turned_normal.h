@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-namespace sphinx {
+namespace sphinx::dynamics {
 
 /// Normal of a surface that the deformation gradient F carries along, F^-T N / abs(F^-T N)
 /// (Nanson's formula); `last` where the body has no normal N there.
@@ -17,4 +17,4 @@ Vec<Dim> turnedNormal(const Mat<Dim>& F, const Vec<Dim>& N, const Vec<Dim>& last
     return length > 0 ? Vec<Dim>(n / length) : last;
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::dynamics

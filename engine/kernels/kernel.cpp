@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace sphinx {
+namespace sphinx::kernels {
 
 template <int Dim>
 double Kernel<Dim>::cutoff() const {
@@ -83,4 +83,4 @@ double Kernel<Dim>::latticeSum() const {
 template class Kernel<2>;
 template class Kernel<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::kernels

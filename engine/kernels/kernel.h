@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace sphinx {
+namespace sphinx::kernels {
 
 enum class KernelType { wendland_c2, cubic_spline, quintic_spline };
 
@@ -140,4 +140,4 @@ class Kernel {
 extern template class Kernel<2>;
 extern template class Kernel<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::kernels

@@ -4,7 +4,7 @@
 
 #include "materials/register.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// A declaration with what every fluid has: P has density, sound_speed and viscosity.
 template <class P>
@@ -20,4 +20,4 @@ input::Declared<P>& declareFluid(input::Registry& registry, const char* name) {
     return d;
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

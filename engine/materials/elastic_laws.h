@@ -9,7 +9,7 @@
 #include "materials/neo_hookean.h"
 #include "materials/saint_venant_kirchhoff.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// Every law of elastic solids. What the classes have in common: ElasticSolid.
 using ElasticLaws =
@@ -21,4 +21,4 @@ decltype(auto) withLaw(const ElasticSolid& solid, F&& f) {
     return visitLaw(ElasticLaws{}, solid, std::forward<F>(f));
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

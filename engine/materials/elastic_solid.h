@@ -5,7 +5,7 @@
 #include "core/wide.h"
 #include "materials/material.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// Unit directions of the muscle at a particle in the reference configuration, perpendicular to
 /// each other: fibre f0 and sheet s0 of the guide's (13).
@@ -66,4 +66,4 @@ class ElasticSolid : public Material {
     double damping_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

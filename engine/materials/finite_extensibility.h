@@ -5,7 +5,7 @@
 #include "materials/isotropic.h"
 #include "materials/strain.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 struct FiniteExtensibilityParameters : IsotropicParameters {
     double extensibility = 0;  ///< J_m, the value that I_1 - 3 never reaches
@@ -67,4 +67,4 @@ class FiniteExtensibility final : public IsotropicSolid {
     double extensibility_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

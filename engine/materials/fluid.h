@@ -4,7 +4,7 @@
 
 #include "materials/material.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// Fluid whose pressure follows from its density. What depends on the density are members of the
 /// final classes, reached through withLaw() of fluid_laws.h:
@@ -29,4 +29,4 @@ class Fluid : public Material {
     double viscosity_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -5,7 +5,7 @@
 #include "materials/law_list.h"
 #include "materials/weakly_compressible_fluid.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// Every law of fluids. What the classes have in common: Fluid.
 using FluidLaws = LawList<LinearFluid, TaitFluid>;
@@ -16,4 +16,4 @@ decltype(auto) withLaw(const Fluid& fluid, F&& f) {
     return visitLaw(FluidLaws{}, fluid, std::forward<F>(f));
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace sphinx {
+namespace sphinx::materials {
 namespace {
 
 /// dS/dE at rest with the fibre along x and the sheet along y.
@@ -93,4 +93,4 @@ HolzapfelMuscle::HolzapfelMuscle(const Parameters& p) : ElasticSolid(p.density, 
     shear_modulus_ = averageShearModulus(tensor);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

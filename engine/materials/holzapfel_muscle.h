@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// The names are those of the guide's (14).
 struct HolzapfelMuscleParameters {
@@ -127,4 +127,4 @@ class HolzapfelMuscle final : public ElasticSolid {
     double longitudinal_modulus_, bulk_modulus_, shear_modulus_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 std::string IsotropicParameters::violation() const {
     int count = 0;
@@ -43,4 +43,4 @@ double IsotropicParameters::mu() const {
     return bulk_modulus ? *shear_modulus : *lame_mu;
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

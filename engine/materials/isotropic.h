@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// What the isotropic laws have in common. Of the constants exactly one pair is given.
 struct IsotropicParameters {
@@ -42,4 +42,4 @@ class IsotropicSolid : public ElasticSolid {
     double mu_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -8,7 +8,7 @@
 #include <typeinfo>
 #include <utility>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// The final classes that a kind of material can have.
 template <class... Law>
@@ -28,4 +28,4 @@ decltype(auto) visitLaw(LawList<First, Rest...>, const Material& material, F&& f
     return std::forward<F>(f)(static_cast<const First&>(material));
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace sphinx {
+namespace sphinx::materials {
 namespace {
 
 std::array<std::optional<double>, 9> engineeringConstants(const LinearElasticParameters& p) {
@@ -115,4 +115,4 @@ LinearElastic::LinearElastic(const Parameters& p)
     longitudinal_modulus_ = largestLongitudinalModulus(stiffness_);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// Either the nine engineering constants of an orthotropic solid or a stiffness matrix. nu_12 is
 /// the contraction along axis 2 over the extension along axis 1 that a stress along axis 1 makes.
@@ -87,4 +87,4 @@ class LinearElastic final : public ElasticSolid {
     double longitudinal_modulus_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

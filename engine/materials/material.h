@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// Base of all material laws: pure functions of the local state, no particles.
 class Material {
@@ -30,4 +30,4 @@ class Rigid final : public Material {
     double density_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -5,7 +5,7 @@
 #include "materials/isotropic.h"
 #include "materials/strain.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// W = mu tr E - mu ln J + lambda/2 (ln J)^2, guide (9), hence
 /// S = mu (I - C^-1) + lambda ln J C^-1.
@@ -36,4 +36,4 @@ class NeoHookean final : public IsotropicSolid {
     }
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -4,7 +4,7 @@
 
 #include "materials/weakly_compressible_fluid.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 namespace {
 
 struct RigidParameters {
@@ -30,4 +30,4 @@ void registerMaterials(input::Registry& registry) {
     registerElasticSolids(registry);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

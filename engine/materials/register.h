@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// A rule about each particle of a body of the material, at its place in the reference
 /// configuration, asked before the particles are made.
@@ -34,4 +34,4 @@ void registerMaterials(input::Registry& registry);
 /// The part of it that is ElasticSolid.
 void registerElasticSolids(input::Registry& registry);
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -3,7 +3,7 @@
 #include "materials/elastic_laws.h"
 #include "materials/register.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 namespace {
 
 using input::coordinates;
@@ -158,4 +158,4 @@ void registerElasticSolids(Registry& registry) {
     declareHolzapfelMuscle(registry);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

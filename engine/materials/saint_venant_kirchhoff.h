@@ -5,7 +5,7 @@
 #include "materials/isotropic.h"
 #include "materials/strain.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// S = lambda tr(E) I + 2 mu E, W = lambda/2 tr(E)^2 + mu E:E; guide (8). Linear in E for any
 /// rotation, but it softens under large compression.
@@ -35,4 +35,4 @@ class SaintVenantKirchhoff final : public IsotropicSolid {
     }
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -5,7 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-namespace sphinx {
+namespace sphinx::materials {
 namespace {
 
 constexpr int voigt[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
@@ -71,4 +71,4 @@ double averageShearModulus(const Stiffness& stiffness) {
     return (axial - (stiffness.topLeftCorner<3, 3>().sum() - axial) / 2 + 3 * shear) / 15;
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -4,7 +4,7 @@
 
 #include "core/types.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// A constant elasticity tensor, S = stiffness (E_11, E_22, E_33, 2 E_23, 2 E_13, 2 E_12);
 /// pressure.
@@ -21,4 +21,4 @@ double largestLongitudinalModulus(const Stiffness& stiffness);
 double averageBulkModulus(const Stiffness& stiffness);
 double averageShearModulus(const Stiffness& stiffness);
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

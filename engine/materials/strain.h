@@ -7,7 +7,7 @@
 #include <cmath>
 
 // Number is double, or Wide for eight particles at a time.
-namespace sphinx {
+namespace sphinx::materials {
 
 /// C = F^T F, exactly symmetric.
 template <int Dim, class Number = double>
@@ -96,4 +96,4 @@ inline Number linearTangentBound(double longitudinal, const MatOf<Dim, Number>& 
     return longitudinal * largestEigenvalueBound<Dim, Number>(C) + max(Number(0), pull);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -4,7 +4,7 @@
 
 #include "materials/declare_fluid.h"
 
-namespace sphinx {
+namespace sphinx::materials {
 
 std::shared_ptr<const Fluid> makeFluid(const WeaklyCompressibleFluidParameters& p) {
     if (p.equation_of_state == EquationOfState::linear)
@@ -36,4 +36,4 @@ void declareWeaklyCompressibleFluid(input::Registry& registry) {
     }});
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 enum class EquationOfState { linear, tait };
 
@@ -66,4 +66,4 @@ std::shared_ptr<const Fluid> makeFluid(const WeaklyCompressibleFluidParameters& 
 /// Registers weakly_compressible_fluid.
 void declareWeaklyCompressibleFluid(input::Registry& registry);
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -13,24 +13,25 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 template <int Dim>
 ObserveSource<Dim>::ObserveSource(std::unique_ptr<ObserveWeights<Dim>> weights,
-                                  std::vector<std::vector<const FieldBase*>> fields, bool mean,
-                                  const input::UnitSystem& units)
+                                  std::vector<std::vector<const particles::FieldBase*>> fields,
+                                  bool mean, const input::UnitSystem& units)
     : weights_(std::move(weights)), fields_(std::move(fields)), mean_(mean) {
     const std::size_t points = mean ? 1 : weights_->points();
-    const auto add = [&](std::string_view name, Rank rank, Dimension unit, std::string text) {
+    const auto add = [&](std::string_view name, particles::Rank rank, Dimension unit,
+                         std::string text) {
         quantities_.push_back({std::string(name), units.text(unit), std::move(text),
-                               pointLabels(points, componentLabels<Dim>(rank))});
+                               io::pointLabels(points, io::componentLabels<Dim>(rank))});
     };
-    for (const std::vector<const FieldBase*>& field : fields_) {
-        const FieldInfo& info = field.front()->info();
+    for (const std::vector<const particles::FieldBase*>& field : fields_) {
+        const particles::FieldInfo& info = field.front()->info();
         add(info.name, info.rank, info.unit, std::string(info.doc));
     }
-    add("coverage", Rank::scalar, unit::none, "sum of V_j W_ij over the particles seen");
-    add("position", Rank::vector, unit::length, "of the points");
+    add("coverage", particles::Rank::scalar, unit::none, "sum of V_j W_ij over the particles seen");
+    add("position", particles::Rank::vector, unit::length, "of the points");
 }
 
 template <int Dim>
@@ -58,8 +59,8 @@ template <int Dim>
 void ObserveSource<Dim>::sample(const Clock&, std::span<double> row) {
     weights_->update();
     const std::size_t points = weights_->points();
-    for (const std::vector<const FieldBase*>& field : fields_) {
-        const FieldInfo& info = field.front()->info();
+    for (const std::vector<const particles::FieldBase*>& field : fields_) {
+        const particles::FieldInfo& info = field.front()->info();
         const auto width = static_cast<std::size_t>(field.front()->components());
         values_.assign(points * width, 0);
         for (std::size_t point = 0; point < points; ++point) {
@@ -67,7 +68,8 @@ void ObserveSource<Dim>::sample(const Clock&, std::span<double> row) {
             const std::vector<ParticleWeight>& weights = weights_->of(point);
             for (std::size_t c = 0; c < width; ++c) {
                 // Matrices stand in memory column by column.
-                const std::size_t source = info.rank == Rank::matrix ? c % Dim * Dim + c / Dim : c;
+                const std::size_t source =
+                    info.rank == particles::Rank::matrix ? c % Dim * Dim + c / Dim : c;
                 ExactTotal total;
                 for (const ParticleWeight& one : weights)
                     total.add(one.weight *
@@ -91,7 +93,7 @@ namespace {
 
 enum class ObservedQuantity { surface_elevation };
 
-struct ObserveParameters : MeanParameters {
+struct ObserveParameters : io::MeanParameters {
     input::Name observer;
     std::vector<input::Name> fields;
     std::optional<ObservedQuantity> quantity;
@@ -99,19 +101,19 @@ struct ObserveParameters : MeanParameters {
 };
 
 template <int Dim>
-std::vector<std::vector<const FieldBase*>> observedFields(const ObserveParameters& p,
-                                                          const Body<Dim>& observer) {
-    std::vector<std::vector<const FieldBase*>> fields;
+std::vector<std::vector<const particles::FieldBase*>> observedFields(
+    const ObserveParameters& p, const bodies::Body<Dim>& observer) {
+    std::vector<std::vector<const particles::FieldBase*>> fields;
     for (auto name = p.fields.begin(); name != p.fields.end(); ++name) {
         if (std::find(p.fields.begin(), name, *name) != name)
-            failAt(name->place, "the field '" + name->text + "' is named twice");
+            io::failAt(name->place, "the field '" + name->text + "' is named twice");
         if (name->text == fields::position.name)
-            failAt(name->place, "the position of the points is always written");
-        std::vector<const FieldBase*>& field = fields.emplace_back();
-        for (const Body<Dim>* body : observer.sees) {
-            field.push_back(&fieldOf(*body, *name));
-            if (field.back()->info().rank == Rank::integer)
-                failAt(name->place, "'" + name->text + "' cannot be interpolated");
+            io::failAt(name->place, "the position of the points is always written");
+        std::vector<const particles::FieldBase*>& field = fields.emplace_back();
+        for (const bodies::Body<Dim>* body : observer.sees) {
+            field.push_back(&io::fieldOf(*body, *name));
+            if (field.back()->info().rank == particles::Rank::integer)
+                io::failAt(name->place, "'" + name->text + "' cannot be interpolated");
         }
     }
     return fields;
@@ -119,41 +121,42 @@ std::vector<std::vector<const FieldBase*>> observedFields(const ObserveParameter
 
 /// Tells points and seen bodies, both free to change between a run and its resumption.
 template <int Dim>
-std::string lookedAt(const Body<Dim>& observer) {
+std::string lookedAt(const bodies::Body<Dim>& observer) {
     std::string text;
     for (std::size_t i = 0; i < observer.size(); ++i)
         for (int k = 0; k < Dim; ++k)
             text += fmt::format("{:a} ", observer.particles.position()[i][k]);
-    for (const Body<Dim>* body : observer.sees) text += body->name + " ";
-    return fmt::format("{:016x}", fingerprint(text));
+    for (const bodies::Body<Dim>* body : observer.sees) text += body->name + " ";
+    return fmt::format("{:016x}", io::fingerprint(text));
 }
 
 template <int Dim>
 std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Component& component,
-                                    const OutputContext<Dim>& context) {
-    const Body<Dim>& observer = *context.world.find(p.observer.text);
+                                    const io::OutputContext<Dim>& context) {
+    const bodies::Body<Dim>& observer = *context.world.find(p.observer.text);
     const bool follows = std::find(context.followers.begin(), context.followers.end(), &observer) !=
                          context.followers.end();
     if (observer.sees.empty())
-        failAt(p.observer.place,
-               "the observer '" + observer.name + "' sees no body; name some in topology");
+        io::failAt(p.observer.place,
+                   "the observer '" + observer.name + "' sees no body; name some in topology");
     if (p.quantity) {
         if (follows)
-            failAt(p.observer.place,
-                   "the elevation of the surface is observed at points fixed in "
-                   "space, but '" +
-                       observer.name + "' follows the material");
-        return makeRowsOutput(component, context, {p, "surface_elevation at " + lookedAt(observer)},
-                              makeElevationSource(observer, p.observer.place, context));
+            io::failAt(p.observer.place,
+                       "the elevation of the surface is observed at points fixed in "
+                       "space, but '" +
+                           observer.name + "' follows the material");
+        return io::makeRowsOutput(component, context,
+                                  {p, "surface_elevation at " + lookedAt(observer)},
+                                  makeElevationSource(observer, p.observer.place, context));
     }
-    std::vector<std::vector<const FieldBase*>> fields = observedFields(p, observer);
+    std::vector<std::vector<const particles::FieldBase*>> fields = observedFields(p, observer);
     std::unique_ptr<ObserveWeights<Dim>> weights;
     if (follows)
         weights = std::make_unique<MaterialWeights<Dim>>(observer, context.relations,
                                                          context.world.domain);
     else
         weights = std::make_unique<ObserveWeights<Dim>>(observer, context.relations);
-    return makeRowsOutput(
+    return io::makeRowsOutput(
         component, context,
         {p, (follows ? "points of the material " : "points in space ") + lookedAt(observer)},
         std::make_unique<ObserveSource<Dim>>(std::move(weights), std::move(fields), p.mean,
@@ -183,7 +186,7 @@ void declareObserve(input::Registry& registry) {
                "something else than fields");
     d.optional("mean", &P::mean, input::boolean(),
                "one mean over all points, those without a particle near left out: a sensor's area");
-    declareMeans(d);
+    io::declareMeans(d);
     d.check("observer", [](const P& p) -> std::string {
         return p.fields.empty() == p.quantity.has_value() ? ""
                                                           : "an observer needs either 'fields' or "
@@ -192,8 +195,8 @@ void declareObserve(input::Registry& registry) {
     d.check("mean", [](const P& p) -> std::string {
         return p.mean && p.quantity ? "'mean' is for fields" : "";
     });
-    d.builder(outputFactory<P>([]<int Dim>(const P& p, const input::Component& component,
-                                           const OutputContext<Dim>& context) {
+    d.builder(io::outputFactory<P>([]<int Dim>(const P& p, const input::Component& component,
+                                               const io::OutputContext<Dim>& context) {
         return makeObserve(p, component, context);
     }));
 }
@@ -201,4 +204,4 @@ void declareObserve(input::Registry& registry) {
 template class ObserveSource<2>;
 template class ObserveSource<3>;
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -7,21 +7,21 @@
 #include "io/series/series.h"
 #include "measure/observe_weights.h"
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 /// Fields of the seen bodies at the points of an observer: for each field its components at each
 /// point, then the coverage and the position of each point. Where an observer sees no particle
 /// values are NaN and the coverage 0. With `mean` one value takes the place of those of the points:
 /// the mean over the points that see something; that of the coverage is over all points.
 template <int Dim>
-class ObserveSource final : public SeriesSource {
+class ObserveSource final : public io::SeriesSource {
  public:
     /// `fields[f]`: the field f of each body of weights->bodies(); none of whole numbers.
     ObserveSource(std::unique_ptr<ObserveWeights<Dim>> weights,
-                  std::vector<std::vector<const FieldBase*>> fields, bool mean,
+                  std::vector<std::vector<const particles::FieldBase*>> fields, bool mean,
                   const input::UnitSystem& units);
 
-    const std::vector<SeriesQuantity>& quantities() const override { return quantities_; }
+    const std::vector<io::SeriesQuantity>& quantities() const override { return quantities_; }
     void sample(const Clock& clock, std::span<double> row) override;
     void transfer(Archive& archive) override { weights_->transfer(archive); }
 
@@ -30,9 +30,9 @@ class ObserveSource final : public SeriesSource {
     void addRow(const std::vector<double>& values, std::size_t components, std::span<double>& row);
 
     std::unique_ptr<ObserveWeights<Dim>> weights_;
-    std::vector<std::vector<const FieldBase*>> fields_;
+    std::vector<std::vector<const particles::FieldBase*>> fields_;
     bool mean_;
-    std::vector<SeriesQuantity> quantities_;
+    std::vector<io::SeriesQuantity> quantities_;
     std::vector<double> values_;
 };
 
@@ -42,4 +42,4 @@ void declareObserve(input::Registry& registry);
 extern template class ObserveSource<2>;
 extern template class ObserveSource<3>;
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sphinx::io {
+namespace sphinx::measure {
 namespace {
 
 /// A particle near a gauge.
@@ -29,7 +29,7 @@ constexpr double least_space = 0.2;
 template <int Dim>
 ElevationSource<Dim>::ElevationSource(const std::vector<Vec<Dim>>& points,
                                       std::vector<Filler> fluids, std::vector<Filler> solids,
-                                      const Domain<Dim>& domain, const Vec<Dim>& up,
+                                      const bodies::Domain<Dim>& domain, const Vec<Dim>& up,
                                       const input::UnitSystem& units)
     : fillers_(std::move(fluids)), fluids_(fillers_.size()), domain_(&domain), up_(up) {
     spacing_ = fillers_.front().body->spacing;
@@ -43,10 +43,11 @@ ElevationSource<Dim>::ElevationSource(const std::vector<Vec<Dim>>& points,
         if (std::none_of(gauges_.begin(), gauges_.end(), above)) gauges_.push_back(point);
     }
     const std::string length = units.text(unit::length);
-    quantities_ = {{"elevation", length, "height of the free surface against gravity",
-                    pointLabels(gauges_.size(), {})},
-                   {"position", length, "a point of each gauge",
-                    pointLabels(gauges_.size(), componentLabels<Dim>(Rank::vector))}};
+    quantities_ = {
+        {"elevation", length, "height of the free surface against gravity",
+         io::pointLabels(gauges_.size(), {})},
+        {"position", length, "a point of each gauge",
+         io::pointLabels(gauges_.size(), io::componentLabels<Dim>(particles::Rank::vector))}};
 }
 
 template <int Dim>
@@ -64,7 +65,7 @@ double ElevationSource<Dim>::elevation(const Vec<Dim>& point) const {
     double highest = -std::numeric_limits<double>::infinity();  // of the fluids
     double lowest = -highest;
     for (std::uint32_t f = 0; f < fillers_.size(); ++f) {
-        const Body<Dim>& body = *fillers_[f].body;
+        const bodies::Body<Dim>& body = *fillers_[f].body;
         const double cutoff = body.kernel.cutoff();
         reach = std::max(reach, cutoff);
         for (std::size_t i = 0; i < body.size(); ++i) {
@@ -114,27 +115,27 @@ double ElevationSource<Dim>::elevation(const Vec<Dim>& point) const {
 }
 
 template <int Dim>
-std::unique_ptr<SeriesSource> makeElevationSource(const Body<Dim>& observer,
-                                                  const input::Place& place,
-                                                  const OutputContext<Dim>& context) {
+std::unique_ptr<io::SeriesSource> makeElevationSource(const bodies::Body<Dim>& observer,
+                                                      const input::Place& place,
+                                                      const io::OutputContext<Dim>& context) {
     using Filler = typename ElevationSource<Dim>::Filler;
-    const auto filler = [&](const Body<Dim>& body) {
-        return Filler{&body, dynamic_cast<const Field<double>*>(
-                                 &fieldOf(body, {std::string(fields::volume.name), place}))};
+    const auto filler = [&](const bodies::Body<Dim>& body) {
+        return Filler{&body, dynamic_cast<const particles::Field<double>*>(
+                                 &io::fieldOf(body, {std::string(fields::volume.name), place}))};
     };
     std::vector<Filler> fluids, solids;
     Vec<Dim> gravity = Vec<Dim>::Zero();
-    for (const Body<Dim>* body : observer.sees) {
+    for (const bodies::Body<Dim>* body : observer.sees) {
         if (!body->isFluid()) continue;
         fluids.push_back(filler(*body));
         if (gravity.isZero(0)) gravity = body->gravity();
-        for (const Body<Dim>* seen : body->sees) {
+        for (const bodies::Body<Dim>* seen : body->sees) {
             const auto same = [&](const Filler& known) { return known.body == seen; };
             if (seen->isSolid() && std::ranges::none_of(solids, same))
                 solids.push_back(filler(*seen));
         }
     }
-    if (fluids.empty()) failAt(place, "the observer '" + observer.name + "' sees no fluid");
+    if (fluids.empty()) io::failAt(place, "the observer '" + observer.name + "' sees no fluid");
     const Vec<Dim> up =
         gravity.isZero(0) ? Vec<Dim>(Vec<Dim>::Unit(Dim - 1)) : Vec<Dim>(-gravity.normalized());
     const Vec<Dim>* position = observer.particles.position().data();
@@ -145,9 +146,11 @@ std::unique_ptr<SeriesSource> makeElevationSource(const Body<Dim>& observer,
 
 template class ElevationSource<2>;
 template class ElevationSource<3>;
-template std::unique_ptr<SeriesSource> makeElevationSource<2>(const Body<2>&, const input::Place&,
-                                                              const OutputContext<2>&);
-template std::unique_ptr<SeriesSource> makeElevationSource<3>(const Body<3>&, const input::Place&,
-                                                              const OutputContext<3>&);
+template std::unique_ptr<io::SeriesSource> makeElevationSource<2>(const bodies::Body<2>&,
+                                                                  const input::Place&,
+                                                                  const io::OutputContext<2>&);
+template std::unique_ptr<io::SeriesSource> makeElevationSource<3>(const bodies::Body<3>&,
+                                                                  const input::Place&,
+                                                                  const io::OutputContext<3>&);
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

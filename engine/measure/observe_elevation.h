@@ -5,7 +5,7 @@
 #include "io/output/factory.h"
 #include "io/series/series.h"
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 /// Height of the surface of the fluids that an observer sees, above the origin and against gravity
 /// (the uniform gravity of the fluids; without any, along the last axis).
@@ -20,18 +20,18 @@ namespace sphinx::io {
 ///
 /// A gauge costs one pass over the particles of the fluids and of the solids that they see.
 template <int Dim>
-class ElevationSource final : public SeriesSource {
+class ElevationSource final : public io::SeriesSource {
  public:
     struct Filler {
-        const Body<Dim>* body;
-        const Field<double>* volume;
+        const bodies::Body<Dim>* body;
+        const particles::Field<double>* volume;
     };
     /// `up`: unit vector. Points that lie above each other make one gauge.
     ElevationSource(const std::vector<Vec<Dim>>& points, std::vector<Filler> fluids,
-                    std::vector<Filler> solids, const Domain<Dim>& domain, const Vec<Dim>& up,
-                    const input::UnitSystem& units);
+                    std::vector<Filler> solids, const bodies::Domain<Dim>& domain,
+                    const Vec<Dim>& up, const input::UnitSystem& units);
 
-    const std::vector<SeriesQuantity>& quantities() const override { return quantities_; }
+    const std::vector<io::SeriesQuantity>& quantities() const override { return quantities_; }
     void sample(const Clock& clock, std::span<double> row) override;
 
     double elevation(const Vec<Dim>& point) const;
@@ -39,20 +39,20 @@ class ElevationSource final : public SeriesSource {
  private:
     std::vector<Filler> fillers_;  // fluids, then solids
     std::size_t fluids_;           // number of them
-    const Domain<Dim>* domain_;
+    const bodies::Domain<Dim>* domain_;
     Vec<Dim> up_;
     double spacing_;
     std::vector<Vec<Dim>> gauges_;
-    std::vector<SeriesQuantity> quantities_;
+    std::vector<io::SeriesQuantity> quantities_;
 };
 
 /// Throws CaseError at the place when the observer sees no fluid.
 template <int Dim>
-std::unique_ptr<SeriesSource> makeElevationSource(const Body<Dim>& observer,
-                                                  const input::Place& place,
-                                                  const OutputContext<Dim>& context);
+std::unique_ptr<io::SeriesSource> makeElevationSource(const bodies::Body<Dim>& observer,
+                                                      const input::Place& place,
+                                                      const io::OutputContext<Dim>& context);
 
 extern template class ElevationSource<2>;
 extern template class ElevationSource<3>;
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

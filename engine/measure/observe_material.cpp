@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace sphinx::io {
+namespace sphinx::measure {
 namespace {
 
 constexpr Index removed = std::numeric_limits<Index>::max();
@@ -17,8 +17,9 @@ constexpr Index unknown = removed - 1;
 }  // namespace
 
 template <int Dim>
-MaterialWeights<Dim>::MaterialWeights(const Body<Dim>& observer, Relations<Dim>& relations,
-                                      const Domain<Dim>& domain)
+MaterialWeights<Dim>::MaterialWeights(const bodies::Body<Dim>& observer,
+                                      neighbors::Relations<Dim>& relations,
+                                      const bodies::Domain<Dim>& domain)
     : ObserveWeights<Dim>(observer, relations), domain_(&domain) {}
 
 template <int Dim>
@@ -76,7 +77,7 @@ Vec<Dim> MaterialWeights<Dim>::meanPosition(const std::vector<ParticleWeight>& w
 template <int Dim>
 void MaterialWeights<Dim>::locate() {
     for (std::size_t b = 0; b < this->bodies().size(); ++b) {
-        ParticleSet<Dim>& particles = this->bodies()[b]->particles;
+        particles::ParticleSet<Dim>& particles = this->bodies()[b]->particles;
         bool moved = false;
         const auto eachAnchor = [&](auto&& act) {
             for (Point& point : attached_)
@@ -170,4 +171,4 @@ void MaterialWeights<Dim>::transfer(Archive& archive) {
 template class MaterialWeights<2>;
 template class MaterialWeights<3>;
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -5,7 +5,7 @@
 #include "bodies/world.h"
 #include "measure/observe_weights.h"
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 /// Weights of points that follow the material: those of the first update, of the same particles
 /// ever after. A point moves by the mean displacement of its particles. Where a particle was
@@ -13,8 +13,8 @@ namespace sphinx::io {
 template <int Dim>
 class MaterialWeights final : public ObserveWeights<Dim> {
  public:
-    MaterialWeights(const Body<Dim>& observer, Relations<Dim>& relations,
-                    const Domain<Dim>& domain);
+    MaterialWeights(const bodies::Body<Dim>& observer, neighbors::Relations<Dim>& relations,
+                    const bodies::Domain<Dim>& domain);
 
     void update() override;
     void transfer(Archive& archive) override;
@@ -41,11 +41,11 @@ class MaterialWeights final : public ObserveWeights<Dim> {
     using ObserveWeights<Dim>::weights_;
     using ObserveWeights<Dim>::coverage_;
     using ObserveWeights<Dim>::position_;
-    const Domain<Dim>* domain_;
+    const bodies::Domain<Dim>* domain_;
     std::vector<Point> attached_;  // empty before the first update
 };
 
 extern template class MaterialWeights<2>;
 extern template class MaterialWeights<3>;
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -6,20 +6,21 @@
 #include "core/exact_total.h"
 #include "core/parallel.h"
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 template <int Dim>
-ObserveWeights<Dim>::ObserveWeights(const Body<Dim>& observer, Relations<Dim>& relations)
+ObserveWeights<Dim>::ObserveWeights(const bodies::Body<Dim>& observer,
+                                    neighbors::Relations<Dim>& relations)
     : observer_(&observer),
       weights_(observer.size()),
       coverage_(observer.size()),
       position_(observer.particles.position().data(),
                 observer.particles.position().data() + observer.size()),
       relations_(&relations) {
-    for (Body<Dim>* body : observer.sees) {
+    for (bodies::Body<Dim>* body : observer.sees) {
         seen_.push_back(&relations.observation(observer, *body));
-        const auto* volume =
-            dynamic_cast<const Field<double>*>(body->particles.find(fields::volume.name));
+        const auto* volume = dynamic_cast<const particles::Field<double>*>(
+            body->particles.find(fields::volume.name));
         if (!volume)
             throw CaseError("'" + observer.name + "' cannot observe '" + body->name +
                             "': its particles have no volume");
@@ -29,7 +30,7 @@ ObserveWeights<Dim>::ObserveWeights(const Body<Dim>& observer, Relations<Dim>& r
 
 template <int Dim>
 void ObserveWeights<Dim>::update() {
-    for (Relation<Dim>* relation : seen_) relations_->update(*relation);
+    for (neighbors::Relation<Dim>* relation : seen_) relations_->update(*relation);
     parallelFor(
         points(),
         [&](std::size_t point) {
@@ -37,8 +38,8 @@ void ObserveWeights<Dim>::update() {
             weights.clear();
             ExactTotal total;
             for (std::size_t b = 0; b < seen_.size(); ++b) {
-                const NeighborList<Dim>& list = seen_[b]->list;
-                const Kernel<Dim>& kernel = seen_[b]->to->kernel;
+                const neighbors::NeighborList<Dim>& list = seen_[b]->list;
+                const kernels::Kernel<Dim>& kernel = seen_[b]->to->kernel;
                 const std::int32_t* distance = list.distancesOf(point);
                 for (std::uint32_t k = 0; k < list.ranges[point].count; ++k) {
                     const Index j = list.of(point)[k / lane_count].index[k % lane_count];
@@ -58,4 +59,4 @@ void ObserveWeights<Dim>::update() {
 template class ObserveWeights<2>;
 template class ObserveWeights<3>;
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 /// A particle's part in the value at a point.
 struct ParticleWeight {
@@ -26,14 +26,14 @@ template <int Dim>
 class ObserveWeights {
  public:
     /// Throws CaseError when a seen body has no volumes.
-    ObserveWeights(const Body<Dim>& observer, Relations<Dim>& relations);
+    ObserveWeights(const bodies::Body<Dim>& observer, neighbors::Relations<Dim>& relations);
     virtual ~ObserveWeights() = default;
 
     /// Brings everything below up to the present state.
     virtual void update();
 
     std::size_t points() const { return observer_->size(); }
-    const std::vector<Body<Dim>*>& bodies() const { return observer_->sees; }
+    const std::vector<bodies::Body<Dim>*>& bodies() const { return observer_->sees; }
     const std::vector<ParticleWeight>& of(std::size_t point) const { return weights_[point]; }
     double coverage(std::size_t point) const { return coverage_[point]; }
     const Vec<Dim>& position(std::size_t point) const { return position_[point]; }
@@ -41,18 +41,18 @@ class ObserveWeights {
     virtual void transfer(Archive&) {}
 
  protected:
-    const Body<Dim>* observer_;
+    const bodies::Body<Dim>* observer_;
     std::vector<std::vector<ParticleWeight>> weights_;
     std::vector<double> coverage_;
     std::vector<Vec<Dim>> position_;
 
  private:
-    Relations<Dim>* relations_;
-    std::vector<Relation<Dim>*> seen_;
-    std::vector<const Field<double>*> volume_;
+    neighbors::Relations<Dim>* relations_;
+    std::vector<neighbors::Relation<Dim>*> seen_;
+    std::vector<const particles::Field<double>*> volume_;
 };
 
 extern template class ObserveWeights<2>;
 extern template class ObserveWeights<3>;
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

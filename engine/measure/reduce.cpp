@@ -7,7 +7,7 @@
 #include "measure/reduce_load.h"
 #include "measure/reduce_motion.h"
 
-namespace sphinx::io {
+namespace sphinx::measure {
 namespace {
 
 enum class Reduced {
@@ -32,7 +32,7 @@ bool hasMoment(Reduced quantity) {
 
 enum class Axis { x, y, z };
 
-struct ReduceParameters : MeanParameters {
+struct ReduceParameters : io::MeanParameters {
     input::Name body;
     Reduced quantity = Reduced::mechanical_energy;
     std::optional<Axis> axis;
@@ -40,10 +40,10 @@ struct ReduceParameters : MeanParameters {
 };
 
 template <int Dim>
-std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
-                                         const input::Component& component,
-                                         const OutputContext<Dim>& context) {
-    Body<Dim>& body = *context.world.find(p.body.text);
+std::unique_ptr<io::SeriesSource> makeSource(const ReduceParameters& p,
+                                             const input::Component& component,
+                                             const io::OutputContext<Dim>& context) {
+    bodies::Body<Dim>& body = *context.world.find(p.body.text);
     const ReducedBody<Dim> reduced{&body, p.body.place, context.units, &context.relations};
     const auto about = p.about ? std::optional(p.about->template as<Dim>()) : std::nullopt;
     switch (p.quantity) {
@@ -55,7 +55,7 @@ std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
         case Reduced::maximum_speed: return maximumSpeed(reduced);
         case Reduced::front_position: {
             const int axis = static_cast<int>(p.axis.value_or(Axis::x));
-            if (axis >= Dim) failAt(component.placeOf("axis"), "a case in 2D has no axis z");
+            if (axis >= Dim) io::failAt(component.placeOf("axis"), "a case in 2D has no axis z");
             return frontPosition(reduced, axis);
         }
         case Reduced::support_reaction:
@@ -66,8 +66,8 @@ std::unique_ptr<SeriesSource> makeSource(const ReduceParameters& p,
         case Reduced::force: break;
     }
     if (!body.isSolid())
-        failAt(p.body.place,
-               "the force is that of fluids on a solid, but '" + body.name + "' is a fluid");
+        io::failAt(p.body.place,
+                   "the force is that of fluids on a solid, but '" + body.name + "' is a fluid");
     return makeForceSource<Dim>(body, p.body.place, context, about);
 }
 
@@ -117,7 +117,7 @@ void declareReduce(input::Registry& registry) {
                input::choice<Axis>({{"x", Axis::x, ""}, {"y", Axis::y, ""}, {"z", Axis::z, ""}}),
                "of front_position; default x");
     d.optional("about", &P::about, input::coordinates(unit::length), "point of the moment");
-    declareMeans(d);
+    io::declareMeans(d);
     d.check("about", [](const P& p) -> std::string {
         return p.about && !hasMoment(p.quantity)
                    ? "'about' is for moment, support_reaction and applied_load"
@@ -130,11 +130,11 @@ void declareReduce(input::Registry& registry) {
         return p.axis && p.quantity != Reduced::front_position ? "'axis' is for front_position"
                                                                : "";
     });
-    d.builder(outputFactory<P>([]<int Dim>(const P& p, const input::Component& component,
-                                           const OutputContext<Dim>& context) {
-        return makeRowsOutput(component, context, {p, formOf(p, component)},
-                              makeSource(p, component, context));
+    d.builder(io::outputFactory<P>([]<int Dim>(const P& p, const input::Component& component,
+                                               const io::OutputContext<Dim>& context) {
+        return io::makeRowsOutput(component, context, {p, formOf(p, component)},
+                                  makeSource(p, component, context));
     }));
 }
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -10,7 +10,7 @@
 #include <deque>
 #include <optional>
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 /// Force of all fluids on a solid at the present velocities and pressures: the part by pressure,
 /// the part by viscosity, and their sum; or of the moments about a point. The pair terms and lists
@@ -18,38 +18,40 @@ namespace sphinx::io {
 /// stay as they are, the force is the one that the fluid feels. After particles were sorted or lost
 /// it takes a list of its own.
 template <int Dim>
-class ForceSource final : public SeriesSource {
+class ForceSource final : public io::SeriesSource {
  public:
-    ForceSource(const Body<Dim>& solid, const std::vector<const fluid::SolidLoad<Dim>*>& loads,
-                Relations<Dim>& relations, const input::UnitSystem& units,
+    ForceSource(const bodies::Body<Dim>& solid,
+                const std::vector<const dynamics::fluid::SolidLoad<Dim>*>& loads,
+                neighbors::Relations<Dim>& relations, const input::UnitSystem& units,
                 const std::optional<Vec<Dim>>& moment_about);
 
-    const std::vector<SeriesQuantity>& quantities() const override { return quantities_; }
+    const std::vector<io::SeriesQuantity>& quantities() const override { return quantities_; }
     void sample(const Clock& clock, std::span<double> row) override;
 
  private:
     struct FluidLoads {
-        const Relation<Dim>* acting;  // of the fluid to the solid
-        Relation<Dim> own;            // the same, where the acting one cannot be read
-        std::vector<const fluid::SolidLoad<Dim>*> loads;
+        const neighbors::Relation<Dim>* acting;  // of the fluid to the solid
+        neighbors::Relation<Dim> own;            // the same, where the acting one cannot be read
+        std::vector<const dynamics::fluid::SolidLoad<Dim>*> loads;
     };
 
-    const NeighborList<Dim>& listOf(FluidLoads& fluid) const;
+    const neighbors::NeighborList<Dim>& listOf(FluidLoads& fluid) const;
 
-    const Body<Dim>* solid_;
-    Relations<Dim>* relations_;
+    const bodies::Body<Dim>* solid_;
+    neighbors::Relations<Dim>* relations_;
     std::optional<Vec<Dim>> moment_about_;
     std::deque<FluidLoads> fluids_;
-    std::vector<SeriesQuantity> quantities_;
+    std::vector<io::SeriesQuantity> quantities_;
 };
 
 /// Throws CaseError at the place when no method of the loop acts between a fluid and the solid.
 template <int Dim>
-std::unique_ptr<SeriesSource> makeForceSource(const Body<Dim>& solid, const input::Place& place,
-                                              const OutputContext<Dim>& context,
-                                              const std::optional<Vec<Dim>>& moment_about = {});
+std::unique_ptr<io::SeriesSource> makeForceSource(const bodies::Body<Dim>& solid,
+                                                  const input::Place& place,
+                                                  const io::OutputContext<Dim>& context,
+                                                  const std::optional<Vec<Dim>>& moment_about = {});
 
 extern template class ForceSource<2>;
 extern template class ForceSource<3>;
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace sphinx::io {
+namespace sphinx::measure {
 namespace {
 
 /// How a kind of load is called in columns and messages.
@@ -20,28 +20,31 @@ struct Words {
 
 /// Sum over the methods of the class Kind that load the body.
 template <template <int> class Kind, int Dim>
-std::unique_ptr<SeriesSource> makeSource(const Body<Dim>& body, const input::Place& place,
-                                         const OutputContext<Dim>& context,
-                                         const std::optional<Vec<Dim>>& about, const Words& words) {
+std::unique_ptr<io::SeriesSource> makeSource(const bodies::Body<Dim>& body,
+                                             const input::Place& place,
+                                             const io::OutputContext<Dim>& context,
+                                             const std::optional<Vec<Dim>>& about,
+                                             const Words& words) {
     std::vector<const Kind<Dim>*> loads;
-    for (const Method* method : context.methods) {
+    for (const dynamics::Method* method : context.methods) {
         const auto* load = dynamic_cast<const Kind<Dim>*>(method);
         if (load && &load->loaded() == &body) loads.push_back(load);
     }
-    if (loads.empty()) failAt(place, words.missing + " '" + body.name + "'");
-    std::vector<SeriesQuantity> quantities{{words.column, context.units.text(unit::force),
-                                            "force of " + words.doc + " on the body",
-                                            componentLabels<Dim>(Rank::vector)}};
+    if (loads.empty()) io::failAt(place, words.missing + " '" + body.name + "'");
+    std::vector<io::SeriesQuantity> quantities{{words.column, context.units.text(unit::force),
+                                                "force of " + words.doc + " on the body",
+                                                io::componentLabels<Dim>(particles::Rank::vector)}};
     if (about)
-        quantities.push_back({words.column + "_moment",
-                              context.units.text(unit::force * unit::length),
-                              "moment of " + words.doc + " about the point", momentLabels<Dim>()});
+        quantities.push_back(
+            {words.column + "_moment", context.units.text(unit::force * unit::length),
+             "moment of " + words.doc + " about the point", io::momentLabels<Dim>()});
     return std::make_unique<ReduceSource>(quantities, [loads, about](std::span<double> row) {
-        Load<Dim> sum;
+        dynamics::Load<Dim> sum;
         for (const auto* load : loads) sum += load->load();
         std::copy(sum.force.begin(), sum.force.end(), row.begin());
         if (!about) return;
-        const Moment<Dim> moment = sum.moment - momentOf<Dim>(*about, sum.force);
+        const dynamics::Moment<Dim> moment =
+            sum.moment - dynamics::momentOf<Dim>(*about, sum.force);
         std::copy(moment.begin(), moment.end(), row.begin() + Dim);
     });
 }
@@ -49,34 +52,40 @@ std::unique_ptr<SeriesSource> makeSource(const Body<Dim>& body, const input::Pla
 }  // namespace
 
 template <int Dim>
-std::unique_ptr<SeriesSource> makeReactionSource(const Body<Dim>& body, const input::Place& place,
-                                                 const OutputContext<Dim>& context,
-                                                 const std::optional<Vec<Dim>>& about) {
-    return makeSource<Support>(
+std::unique_ptr<io::SeriesSource> makeReactionSource(const bodies::Body<Dim>& body,
+                                                     const input::Place& place,
+                                                     const io::OutputContext<Dim>& context,
+                                                     const std::optional<Vec<Dim>>& about) {
+    return makeSource<dynamics::Support>(
         body, place, context, about,
         {"reaction", "the constraints", "no method of the loop holds particles of"});
 }
 
 template <int Dim>
-std::unique_ptr<SeriesSource> makeAppliedSource(const Body<Dim>& body, const input::Place& place,
-                                                const OutputContext<Dim>& context,
-                                                const std::optional<Vec<Dim>>& about) {
-    return makeSource<AppliedLoad>(
+std::unique_ptr<io::SeriesSource> makeAppliedSource(const bodies::Body<Dim>& body,
+                                                    const input::Place& place,
+                                                    const io::OutputContext<Dim>& context,
+                                                    const std::optional<Vec<Dim>>& about) {
+    return makeSource<dynamics::AppliedLoad>(
         body, place, context, about,
         {"applied", "the loads from outside", "no method of the loop loads particles of"});
 }
 
-template std::unique_ptr<SeriesSource> makeReactionSource(const Body<2>&, const input::Place&,
-                                                          const OutputContext<2>&,
-                                                          const std::optional<Vec<2>>&);
-template std::unique_ptr<SeriesSource> makeReactionSource(const Body<3>&, const input::Place&,
-                                                          const OutputContext<3>&,
-                                                          const std::optional<Vec<3>>&);
-template std::unique_ptr<SeriesSource> makeAppliedSource(const Body<2>&, const input::Place&,
-                                                         const OutputContext<2>&,
-                                                         const std::optional<Vec<2>>&);
-template std::unique_ptr<SeriesSource> makeAppliedSource(const Body<3>&, const input::Place&,
-                                                         const OutputContext<3>&,
-                                                         const std::optional<Vec<3>>&);
+template std::unique_ptr<io::SeriesSource> makeReactionSource(const bodies::Body<2>&,
+                                                              const input::Place&,
+                                                              const io::OutputContext<2>&,
+                                                              const std::optional<Vec<2>>&);
+template std::unique_ptr<io::SeriesSource> makeReactionSource(const bodies::Body<3>&,
+                                                              const input::Place&,
+                                                              const io::OutputContext<3>&,
+                                                              const std::optional<Vec<3>>&);
+template std::unique_ptr<io::SeriesSource> makeAppliedSource(const bodies::Body<2>&,
+                                                             const input::Place&,
+                                                             const io::OutputContext<2>&,
+                                                             const std::optional<Vec<2>>&);
+template std::unique_ptr<io::SeriesSource> makeAppliedSource(const bodies::Body<3>&,
+                                                             const input::Place&,
+                                                             const io::OutputContext<3>&,
+                                                             const std::optional<Vec<3>>&);
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

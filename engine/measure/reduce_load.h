@@ -7,18 +7,20 @@
 
 #include <optional>
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 /// Force of the constraints that hold particles of the body, over their last step, and with a point
 /// their moment about it. Throws CaseError at the place when no method of the loop holds any.
 template <int Dim>
-std::unique_ptr<SeriesSource> makeReactionSource(const Body<Dim>& body, const input::Place& place,
-                                                 const OutputContext<Dim>& context,
-                                                 const std::optional<Vec<Dim>>& about);
+std::unique_ptr<io::SeriesSource> makeReactionSource(const bodies::Body<Dim>& body,
+                                                     const input::Place& place,
+                                                     const io::OutputContext<Dim>& context,
+                                                     const std::optional<Vec<Dim>>& about);
 /// The same of the forces that act on it from outside.
 template <int Dim>
-std::unique_ptr<SeriesSource> makeAppliedSource(const Body<Dim>& body, const input::Place& place,
-                                                const OutputContext<Dim>& context,
-                                                const std::optional<Vec<Dim>>& about);
+std::unique_ptr<io::SeriesSource> makeAppliedSource(const bodies::Body<Dim>& body,
+                                                    const input::Place& place,
+                                                    const io::OutputContext<Dim>& context,
+                                                    const std::optional<Vec<Dim>>& about);
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

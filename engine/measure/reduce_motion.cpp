@@ -13,13 +13,14 @@
 #include <array>
 #include <cmath>
 
-namespace sphinx::io {
+namespace sphinx::measure {
 namespace {
 
 template <class T, int Dim>
-const Field<T>& require(const ReducedBody<Dim>& reduced, const FieldInfo& info) {
-    return dynamic_cast<const Field<T>&>(
-        fieldOf(*reduced.body, input::Name{std::string(info.name), reduced.place}));
+const particles::Field<T>& require(const ReducedBody<Dim>& reduced,
+                                   const particles::FieldInfo& info) {
+    return dynamic_cast<const particles::Field<T>&>(
+        io::fieldOf(*reduced.body, input::Name{std::string(info.name), reduced.place}));
 }
 
 /// Position, velocity and mass, for most of the sums.
@@ -35,16 +36,16 @@ struct Motion {
     double mass(std::size_t i) const { return body->hasMass(i) ? (*m)[i] : 0; }
     double kinetic(std::size_t i) const { return 0.5 * mass(i) * (*v)[i].squaredNorm(); }
 
-    Body<Dim>* body;
-    const Field<Vec<Dim>>* x;
-    const Field<Vec<Dim>>* v;
-    const Field<double>* m;
+    bodies::Body<Dim>* body;
+    const particles::Field<Vec<Dim>>* x;
+    const particles::Field<Vec<Dim>>* v;
+    const particles::Field<double>* m;
 };
 
 /// A source of N sums whose terms `term(i)` gives as an array.
 template <int N, int Dim, class Term>
-std::unique_ptr<SeriesSource> sums(std::vector<SeriesQuantity> quantities, const Body<Dim>* body,
-                                   Term term) {
+std::unique_ptr<io::SeriesSource> sums(std::vector<io::SeriesQuantity> quantities,
+                                       const bodies::Body<Dim>* body, Term term) {
     return std::make_unique<ReduceSource>(
         std::move(quantities), [body, term](std::span<double> row) {
             const std::array<double, N> sum = sumAll(body->size(), term);
@@ -54,8 +55,8 @@ std::unique_ptr<SeriesSource> sums(std::vector<SeriesQuantity> quantities, const
 
 /// sum of m e(rho)
 template <int Dim>
-double fluidEnergy(const Motion<Dim>& motion, const Field<double>& density) {
-    return withLaw(*motion.body->fluid().material, [&](const auto& law) {
+double fluidEnergy(const Motion<Dim>& motion, const particles::Field<double>& density) {
+    return materials::withLaw(*motion.body->fluid().material, [&](const auto& law) {
         return sumAll(motion.body->size(), [&](std::size_t i) {
             return motion.mass(i) * law.internalEnergy(density[i]);
         });
@@ -65,16 +66,17 @@ double fluidEnergy(const Motion<Dim>& motion, const Field<double>& density) {
 }  // namespace
 
 template <int Dim>
-std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) {
+std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) {
     if (reduced.body->isWall())
-        failAt(reduced.place, "'" + reduced.body->name +
-                                  "' is rigid: it has no internal energy; ask for kinetic_energy");
+        io::failAt(reduced.place,
+                   "'" + reduced.body->name +
+                       "' is rigid: it has no internal energy; ask for kinetic_energy");
     const std::string energy = reduced.units.text(unit::energy);
     const Motion<Dim> motion(reduced);
     const auto* density = &require<double>(reduced, fields::density);
-    Relations<Dim>* relations = reduced.relations;
+    neighbors::Relations<Dim>* relations = reduced.relations;
     return std::make_unique<ReduceSource>(
-        std::vector<SeriesQuantity>{
+        std::vector<io::SeriesQuantity>{
             {"kinetic", energy, "sum of m v^2/2", {}},
             {"potential", energy, "-sum of m g . x", {}},
             {"internal",
@@ -84,7 +86,7 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
              {}},
             {"total", energy, "kinetic + potential + internal", {}}},
         [motion, density, relations](std::span<double> row) {
-            Body<Dim>& body = *motion.body;
+            bodies::Body<Dim>& body = *motion.body;
             const Vec<Dim> g = body.gravity();
             const auto sum = sumAll(body.size(), [&](std::size_t i) {
                 return std::array<double, 2>{motion.kinetic(i),
@@ -92,13 +94,13 @@ std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced) 
             });
             std::copy(sum.begin(), sum.end(), row.begin());
             row[2] = body.isFluid() ? fluidEnergy(motion, *density)
-                                    : solid::internalEnergy(body, *relations);
+                                    : dynamics::solid::internalEnergy(body, *relations);
             row[3] = row[0] + row[1] + row[2];
         });
 }
 
 template <int Dim>
-std::unique_ptr<SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced) {
+std::unique_ptr<io::SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
     return sums<1>({{"kinetic", reduced.units.text(unit::energy), "sum of m v^2/2", {}}},
                    motion.body,
@@ -106,11 +108,11 @@ std::unique_ptr<SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced) {
 }
 
 template <int Dim>
-std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>& reduced) {
-    const Body<Dim>* body = reduced.body;
+std::unique_ptr<io::SeriesSource> mass(const ReducedBody<Dim>& reduced) {
+    const bodies::Body<Dim>* body = reduced.body;
     const Motion<Dim> motion(reduced);
     return std::make_unique<ReduceSource>(
-        std::vector<SeriesQuantity>{
+        std::vector<io::SeriesQuantity>{
             {"mass", reduced.units.text(unit::mass), "of the body, without what a clamp holds", {}},
             {"particles", "", "number of particles", {}},
             {"removed", "", "particles that have left the body", {}}},
@@ -122,10 +124,10 @@ std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>& reduced) {
 }
 
 template <int Dim>
-std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>& reduced) {
+std::unique_ptr<io::SeriesSource> momentum(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
     return sums<Dim>({{"momentum", reduced.units.text(unit::momentum), "sum of m v",
-                       componentLabels<Dim>(Rank::vector)}},
+                       io::componentLabels<Dim>(particles::Rank::vector)}},
                      motion.body, [motion](std::size_t i) {
                          std::array<double, Dim> term;
                          for (int k = 0; k < Dim; ++k) term[k] = motion.mass(i) * (*motion.v)[i][k];
@@ -134,13 +136,14 @@ std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>& reduced) {
 }
 
 template <int Dim>
-std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced) {
+std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
-    SeriesQuantity quantity{"angular_momentum", reduced.units.text(unit::momentum * unit::length),
-                            "sum of m x cross v about the origin", momentLabels<Dim>()};
-    constexpr int size = Moment<Dim>::SizeAtCompileTime;
+    io::SeriesQuantity quantity{"angular_momentum",
+                                reduced.units.text(unit::momentum * unit::length),
+                                "sum of m x cross v about the origin", io::momentLabels<Dim>()};
+    constexpr int size = dynamics::Moment<Dim>::SizeAtCompileTime;
     return sums<size>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
-        const Moment<Dim> turn = momentOf<Dim>((*motion.x)[i], (*motion.v)[i]);
+        const dynamics::Moment<Dim> turn = dynamics::momentOf<Dim>((*motion.x)[i], (*motion.v)[i]);
         std::array<double, size> term;
         for (int k = 0; k < size; ++k) term[k] = motion.mass(i) * turn[k];
         return term;
@@ -148,11 +151,11 @@ std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced) {
 }
 
 template <int Dim>
-std::unique_ptr<SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced) {
-    const Body<Dim>* body = reduced.body;
+std::unique_ptr<io::SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced) {
+    const bodies::Body<Dim>* body = reduced.body;
     const auto* v = &require<Vec<Dim>>(reduced, fields::velocity);
     return std::make_unique<ReduceSource>(
-        std::vector<SeriesQuantity>{
+        std::vector<io::SeriesQuantity>{
             {"maximum_speed", reduced.units.text(unit::velocity), "largest abs(v)", {}}},
         [body, v](std::span<double> row) {
             row[0] = body->size() == 0 ? nan_value
@@ -163,31 +166,31 @@ std::unique_ptr<SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced) {
 }
 
 template <int Dim>
-std::unique_ptr<SeriesSource> frontPosition(const ReducedBody<Dim>& reduced, int axis) {
-    const Body<Dim>* body = reduced.body;
+std::unique_ptr<io::SeriesSource> frontPosition(const ReducedBody<Dim>& reduced, int axis) {
+    const bodies::Body<Dim>* body = reduced.body;
     return std::make_unique<ReduceSource>(
-        std::vector<SeriesQuantity>{{"front_position",
-                                     reduced.units.text(unit::length),
-                                     std::string("largest ") + "xyz" [axis],
-                                     {}}},
+        std::vector<io::SeriesQuantity>{{"front_position",
+                                         reduced.units.text(unit::length),
+                                         std::string("largest ") + "xyz" [axis],
+                                         {}}},
         [body, axis](std::span<double> row) {
-            const Field<Vec<Dim>>& x = body->particles.position();
+            const particles::Field<Vec<Dim>>& x = body->particles.position();
             row[0] = body->size() == 0 ? nan_value
                                        : maxAll(body->size(), x[0][axis],
                                                 [&](std::size_t i) { return x[i][axis]; });
         });
 }
 
-#define SPHINX_INSTANTIATE(Dim)                                                       \
-    template std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>&); \
-    template std::unique_ptr<SeriesSource> kineticEnergy(const ReducedBody<Dim>&);    \
-    template std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>&);             \
-    template std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>&);         \
-    template std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>&);  \
-    template std::unique_ptr<SeriesSource> maximumSpeed(const ReducedBody<Dim>&);     \
-    template std::unique_ptr<SeriesSource> frontPosition(const ReducedBody<Dim>&, int axis);
+#define SPHINX_INSTANTIATE(Dim)                                                           \
+    template std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>&); \
+    template std::unique_ptr<io::SeriesSource> kineticEnergy(const ReducedBody<Dim>&);    \
+    template std::unique_ptr<io::SeriesSource> mass(const ReducedBody<Dim>&);             \
+    template std::unique_ptr<io::SeriesSource> momentum(const ReducedBody<Dim>&);         \
+    template std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>&);  \
+    template std::unique_ptr<io::SeriesSource> maximumSpeed(const ReducedBody<Dim>&);     \
+    template std::unique_ptr<io::SeriesSource> frontPosition(const ReducedBody<Dim>&, int axis);
 SPHINX_INSTANTIATE(2)
 SPHINX_INSTANTIATE(3)
 #undef SPHINX_INSTANTIATE
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -7,38 +7,38 @@
 #include "io/series/series.h"
 #include "neighbors/relations.h"
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 /// Sums and extremes over the particles of a body. All of them have the same bits for any number
 /// of threads. They throw CaseError at the place when the body lacks a field that they need.
 template <int Dim>
 struct ReducedBody {
-    Body<Dim>* body;
+    bodies::Body<Dim>* body;
     input::Place place;  ///< where the case names it
     input::UnitSystem units;
-    Relations<Dim>* relations = nullptr;  ///< needed for the energy of elastic bodies
+    neighbors::Relations<Dim>* relations = nullptr;  ///< needed for the energy of elastic bodies
 };
 
 /// kinetic = sum m v^2/2; potential = -sum m g . x, g being the body's uniform gravities; internal
-/// = sum m e(rho) of a weakly compressible fluid, solid::internalEnergy() of an elastic body;
-/// total, their sum.
+/// = sum m e(rho) of a weakly compressible fluid, dynamics::solid::internalEnergy() of an elastic
+/// body; total, their sum.
 template <int Dim>
-std::unique_ptr<SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced);
+std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduced);
 template <int Dim>
-std::unique_ptr<SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced);
+std::unique_ptr<io::SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced);
 /// mass; particles, their number; removed, how many have left the body so far.
 template <int Dim>
-std::unique_ptr<SeriesSource> mass(const ReducedBody<Dim>& reduced);
+std::unique_ptr<io::SeriesSource> mass(const ReducedBody<Dim>& reduced);
 template <int Dim>
-std::unique_ptr<SeriesSource> momentum(const ReducedBody<Dim>& reduced);
+std::unique_ptr<io::SeriesSource> momentum(const ReducedBody<Dim>& reduced);
 /// sum m x cross v about the origin; in 2D its z component alone.
 template <int Dim>
-std::unique_ptr<SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced);
+std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced);
 /// Largest abs(v); NaN without particles.
 template <int Dim>
-std::unique_ptr<SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced);
+std::unique_ptr<io::SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced);
 /// Largest coordinate along that axis (0 is x); NaN without particles.
 template <int Dim>
-std::unique_ptr<SeriesSource> frontPosition(const ReducedBody<Dim>& reduced, int axis);
+std::unique_ptr<io::SeriesSource> frontPosition(const ReducedBody<Dim>& reduced, int axis);
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

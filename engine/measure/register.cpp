@@ -5,11 +5,11 @@
 #include "measure/observe.h"
 #include "measure/reduce.h"
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 void registerMeasures(input::Registry& registry) {
     declareObserve(registry);
     declareReduce(registry);
 }
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

@@ -4,9 +4,9 @@
 
 #include "input/declaration/registry.h"
 
-namespace sphinx::io {
+namespace sphinx::measure {
 
 /// Declares the outputs that measure: observers and reductions.
 void registerMeasures(input::Registry& registry);
 
-}  // namespace sphinx::io
+}  // namespace sphinx::measure

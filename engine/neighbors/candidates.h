@@ -15,13 +15,13 @@
 #include <cmath>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 
 /// Shifts under which a domain sees its particles: none, and by the periods.
 template <int Dim>
 class Images {
  public:
-    explicit Images(const Domain<Dim>& domain) {
+    explicit Images(const bodies::Domain<Dim>& domain) {
         shifts_.push_back(Vec<Dim>::Zero());
         for (int k = 0; k < Dim; ++k) {
             if (!domain.periodic[k]) continue;
@@ -178,4 +178,4 @@ template <bool Shifted, int Dim>
     return count;
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 
 template <int Dim>
 void CellGrid<Dim>::build(const Vec<Dim>* position, std::size_t n, double cell_size) {
@@ -114,4 +114,4 @@ std::size_t CellGrid<Dim>::bytes() const {
 template class CellGrid<2>;
 template class CellGrid<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

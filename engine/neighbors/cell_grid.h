@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 
 /// A particle as the search for neighbors reads it, at one go.
 struct alignas(32) Site {
@@ -54,4 +54,4 @@ class CellGrid {
 extern template class CellGrid<2>;
 extern template class CellGrid<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

@@ -12,7 +12,7 @@
 #include <atomic>
 #include <cmath>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 namespace {
 
 /// Of w <= 1 over at most a thousand neighbors.
@@ -21,7 +21,7 @@ const SumGrid weights_grid(1000);
 /// Factors of a kernel that its pairs share.
 template <class K, int Dim>
 struct Factors {
-    Factors(const Kernel<Dim>& kernel, double gradient_unit, double distance_unit)
+    Factors(const kernels::Kernel<Dim>& kernel, double gradient_unit, double distance_unit)
         : inverse_h(1 / kernel.smoothingLength()),
           value(K::sigma * std::pow(inverse_h, Dim)),
           gradient(kernel.gradientFactor() * value * inverse_h * inverse_h / gradient_unit),
@@ -69,7 +69,7 @@ double fillBlocks(const Vec<Dim>& xi, const Candidates<Dim>& candidates, std::ui
 
 /// Unit in which all gradients of a list are whole numbers below 2^31.
 template <int Dim>
-double wholeUnit(const Kernel<Dim>& kernel) {
+double wholeUnit(const kernels::Kernel<Dim>& kernel) {
     constexpr int samples = 100;
     constexpr double between = 1.01;  // a slope between two samples is nearer to them than that
     double steepest = 0;
@@ -79,8 +79,9 @@ double wholeUnit(const Kernel<Dim>& kernel) {
 }
 
 template <class K, int Dim, class Real>
-void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same, const Kernel<Dim>& kernel,
-           const Domain<Dim>& domain, NeighborList<Dim, Real>& list) {
+void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
+           const kernels::Kernel<Dim>& kernel, const bodies::Domain<Dim>& domain,
+           NeighborList<Dim, Real>& list) {
     list.gradient_unit = std::is_integral_v<Real> ? wholeUnit(kernel) : 1;
     const double cutoff = K::reach * kernel.smoothingLength();
     list.cutoff = cutoff;
@@ -171,19 +172,19 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same, const 
 
 template <int Dim, class Real>
 void buildList(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
-               const Kernel<Dim>& kernel, const Domain<Dim>& domain,
+               const kernels::Kernel<Dim>& kernel, const bodies::Domain<Dim>& domain,
                NeighborList<Dim, Real>& list) {
-    withKernel<Dim>(kernel.type(),
-                    [&]<class K>() { build<K>(from, to, same, kernel, domain, list); });
+    kernels::withKernel<Dim>(kernel.type(),
+                             [&]<class K>() { build<K>(from, to, same, kernel, domain, list); });
 }
 
-template void buildList(const CellGrid<2>&, const CellGrid<2>&, bool, const Kernel<2>&,
-                        const Domain<2>&, NeighborList<2>&);
-template void buildList(const CellGrid<3>&, const CellGrid<3>&, bool, const Kernel<3>&,
-                        const Domain<3>&, NeighborList<3>&);
-template void buildList(const CellGrid<2>&, const CellGrid<2>&, bool, const Kernel<2>&,
-                        const Domain<2>&, NeighborList<2, double>&);
-template void buildList(const CellGrid<3>&, const CellGrid<3>&, bool, const Kernel<3>&,
-                        const Domain<3>&, NeighborList<3, double>&);
+template void buildList(const CellGrid<2>&, const CellGrid<2>&, bool, const kernels::Kernel<2>&,
+                        const bodies::Domain<2>&, NeighborList<2>&);
+template void buildList(const CellGrid<3>&, const CellGrid<3>&, bool, const kernels::Kernel<3>&,
+                        const bodies::Domain<3>&, NeighborList<3>&);
+template void buildList(const CellGrid<2>&, const CellGrid<2>&, bool, const kernels::Kernel<2>&,
+                        const bodies::Domain<2>&, NeighborList<2, double>&);
+template void buildList(const CellGrid<3>&, const CellGrid<3>&, bool, const kernels::Kernel<3>&,
+                        const bodies::Domain<3>&, NeighborList<3, double>&);
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 
 /// Eight neighbors of one particle. gradient = e_ij W'(r_ij), e_ij = (r_i - r_j)/r_ij, so it is the
 /// gradient of W with respect to the particle's own position, in units of the list's gradient_unit.
@@ -64,4 +64,4 @@ struct NeighborList {
     }
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 namespace {
 
 /// Fewer neighbors than these in a row are gathered.
@@ -15,7 +15,7 @@ constexpr std::ptrdiff_t shortest_run = lane_count / 2;
 
 template <int Dim>
 void ReferenceList<Dim>::append(std::vector<Neighbor>& neighbors, std::size_t particles) {
-    Group group{gradients_.size(), indices_.size(), 0, 0};
+    GroupBlocks group{gradients_.size(), indices_.size(), 0, 0};
     // Equal for the neighbors of a run: what the first particle has there.
     const auto start = [](const Neighbor& n) { return std::int64_t{n.index} - n.lane; };
     std::sort(neighbors.begin(), neighbors.end(), [&](const Neighbor& a, const Neighbor& b) {
@@ -78,7 +78,7 @@ void ReferenceList<Dim>::finish() {
 
 template <int Dim>
 std::size_t ReferenceList<Dim>::bytes() const {
-    return groups_.capacity() * sizeof(Group) +
+    return groups_.capacity() * sizeof(GroupBlocks) +
            gradients_.capacity() * sizeof(std::array<Lane, Dim>) +
            weights_.capacity() * sizeof(Lane) + indices_.capacity() * sizeof(Index);
 }
@@ -86,4 +86,4 @@ std::size_t ReferenceList<Dim>::bytes() const {
 template class ReferenceList<2>;
 template class ReferenceList<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

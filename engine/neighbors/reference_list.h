@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 
 /// Neighbors in the reference configuration, of eight particles at a time that stand one after the
 /// other (a group): a block holds one neighbor of each. On a lattice the neighbors of eight
@@ -27,7 +27,7 @@ class ReferenceList {
         double weight;
     };
     using Lane = std::array<double, lane_count>;
-    struct Group {
+    struct GroupBlocks {
         std::uint64_t first_block = 0;
         std::uint64_t first_index = 0;
         std::uint32_t runs = 0;
@@ -39,19 +39,23 @@ class ReferenceList {
     /// Gives back what was allocated in vain.
     void finish();
 
-    const Group& group(std::size_t number) const { return groups_[number]; }
+    const GroupBlocks& group(std::size_t number) const { return groups_[number]; }
     /// Component by component, 0 where a particle has no neighbor in the block.
-    const std::array<Lane, Dim>* gradients(const Group& group) const {
+    const std::array<Lane, Dim>* gradients(const GroupBlocks& group) const {
         return gradients_.data() + group.first_block;
     }
-    const Lane* weights(const Group& group) const { return weights_.data() + group.first_block; }
+    const Lane* weights(const GroupBlocks& group) const {
+        return weights_.data() + group.first_block;
+    }
     /// Of a run the neighbor of the first particle, of every other block the neighbors of all.
-    const Index* indices(const Group& group) const { return indices_.data() + group.first_index; }
+    const Index* indices(const GroupBlocks& group) const {
+        return indices_.data() + group.first_index;
+    }
 
     /// f(j, weight) for all neighbors of particle i.
     template <class Function>
     void forEach(std::size_t i, Function&& f) const {
-        const Group& group = groups_[i / lane_count];
+        const GroupBlocks& group = groups_[i / lane_count];
         const std::size_t lane = i % lane_count;
         const Index* index = indices(group);
         for (std::uint32_t b = 0; b < group.blocks; ++b) {
@@ -70,7 +74,7 @@ class ReferenceList {
     void appendBlock();
     void put(const Neighbor& neighbor);
 
-    AlignedVector<Group> groups_;
+    AlignedVector<GroupBlocks> groups_;
     AlignedVector<std::array<Lane, Dim>> gradients_;
     AlignedVector<Lane> weights_;
     AlignedVector<Index> indices_;
@@ -79,4 +83,4 @@ class ReferenceList {
 extern template class ReferenceList<2>;
 extern template class ReferenceList<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

@@ -6,20 +6,20 @@
 
 #include <algorithm>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 namespace {
 
 /// Both directions of a pair of different smoothing lengths use the larger.
 template <int Dim>
-const Kernel<Dim>& commonKernel(const Body<Dim>& a, const Body<Dim>& b) {
+const kernels::Kernel<Dim>& commonKernel(const bodies::Body<Dim>& a, const bodies::Body<Dim>& b) {
     return a.kernel.smoothingLength() >= b.kernel.smoothingLength() ? a.kernel : b.kernel;
 }
 
 }  // namespace
 
 template <int Dim>
-Relation<Dim>& Relations<Dim>::relation(Purpose purpose, const Body<Dim>& from, const Body<Dim>& to,
-                                        Keeps keeps) {
+Relation<Dim>& Relations<Dim>::relation(Purpose purpose, const bodies::Body<Dim>& from,
+                                        const bodies::Body<Dim>& to, Keeps keeps) {
     const auto same = [&](const auto& r) {
         return r->purpose == purpose && r->from == &from && r->to == &to;
     };
@@ -36,7 +36,7 @@ Relation<Dim>& Relations<Dim>::relation(Purpose purpose, const Body<Dim>& from, 
 }
 
 template <int Dim>
-const CellGrid<Dim>& Relations<Dim>::grid(const Body<Dim>& body) {
+const CellGrid<Dim>& Relations<Dim>::grid(const bodies::Body<Dim>& body) {
     Grid& grid = grids_[&body];
     if (grid.version != body.version) {
         grid.cells.build(body.particles.position().data(), body.held(), body.kernel.cutoff());
@@ -57,8 +57,8 @@ void Relations<Dim>::update(Relation<Dim>& r) {
 }
 
 template <int Dim>
-void Relations<Dim>::update(const std::vector<Body<Dim>*>& bodies) {
-    const auto named = [&](const Body<Dim>* body) {
+void Relations<Dim>::update(const std::vector<bodies::Body<Dim>*>& bodies) {
+    const auto named = [&](const bodies::Body<Dim>* body) {
         return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
     };
     for (const auto& r : relations_) {
@@ -68,7 +68,7 @@ void Relations<Dim>::update(const std::vector<Body<Dim>*>& bodies) {
 }
 
 template <int Dim>
-ReferenceRelation<Dim>& Relations<Dim>::reference(Body<Dim>& from, Body<Dim>& to) {
+ReferenceRelation<Dim>& Relations<Dim>::reference(bodies::Body<Dim>& from, bodies::Body<Dim>& to) {
     for (const auto& r : references_)
         if (r->from == &from && r->to == &to) return *r;
     auto r = std::make_unique<ReferenceRelation<Dim>>();
@@ -84,7 +84,7 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
     const std::uint64_t to_arrangement = r.to->particles.arrangement();
     if (r.from_arrangement == from_arrangement && r.to_arrangement == to_arrangement) return;
     r.list = {};
-    const auto cells = [](Body<Dim>& body) {
+    const auto cells = [](bodies::Body<Dim>& body) {
         CellGrid<Dim> grid;
         grid.build(body.particles.vector(fields::initial_position).data(), body.held(),
                    body.kernel.cutoff());
@@ -94,7 +94,7 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
     NeighborList<Dim, double> list;
     buildList(cells(*r.from), cells(*r.to), same, commonKernel(*r.from, *r.to), world_->domain,
               list);
-    const Field<double>& volume = r.to->particles.scalar(fields::volume);
+    const particles::Field<double>& volume = r.to->particles.scalar(fields::volume);
     const auto& from = r.from->particles.vector(fields::initial_position);
     const auto& to = r.to->particles.vector(fields::initial_position);
     std::vector<typename ReferenceList<Dim>::Neighbor> neighbors;
@@ -134,4 +134,4 @@ std::size_t Relations<Dim>::bytes() const {
 template class Relations<2>;
 template class Relations<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::neighbors {
 
 /// What a list is for. Two bodies may have one for each purpose: an elastic body its neighbors in
 /// the reference configuration (ReferenceRelation), and others in the present one.
@@ -24,8 +24,8 @@ enum class Purpose {
 template <int Dim>
 struct Relation {
     Purpose purpose = Purpose::flow;
-    const Body<Dim>* from = nullptr;
-    const Body<Dim>* to = nullptr;
+    const bodies::Body<Dim>* from = nullptr;
+    const bodies::Body<Dim>* to = nullptr;
     NeighborList<Dim> list;
     std::uint64_t from_version = ~std::uint64_t{0};  ///< versions of the bodies when last built
     std::uint64_t to_version = ~std::uint64_t{0};
@@ -44,8 +44,8 @@ struct Relation {
 /// arrangement of the particles in memory.
 template <int Dim>
 struct ReferenceRelation {
-    Body<Dim>* from = nullptr;
-    Body<Dim>* to = nullptr;
+    bodies::Body<Dim>* from = nullptr;
+    bodies::Body<Dim>* to = nullptr;
     ReferenceList<Dim> list;
     std::uint64_t from_arrangement = ~std::uint64_t{0};  ///< of the particles when it was built
     std::uint64_t to_arrangement = ~std::uint64_t{0};
@@ -55,28 +55,28 @@ struct ReferenceRelation {
 template <int Dim>
 class Relations {
  public:
-    explicit Relations(World<Dim>& world) : world_(&world) {}
+    explicit Relations(bodies::World<Dim>& world) : world_(&world) {}
 
     /// The relation of that purpose, made (empty) on first use. Its address stays. Its list keeps
     /// what any of those keep who have asked for it.
-    Relation<Dim>& flow(const Body<Dim>& from, const Body<Dim>& to, Keeps keeps) {
+    Relation<Dim>& flow(const bodies::Body<Dim>& from, const bodies::Body<Dim>& to, Keeps keeps) {
         return relation(Purpose::flow, from, to, keeps);
     }
-    Relation<Dim>& observation(const Body<Dim>& observer, const Body<Dim>& to) {
+    Relation<Dim>& observation(const bodies::Body<Dim>& observer, const bodies::Body<Dim>& to) {
         return relation(Purpose::observation, observer, to, {.distance = true});
     }
     /// Rebuilds what is stale of the relations of flow that have one of the bodies on either side.
-    void update(const std::vector<Body<Dim>*>& bodies);
+    void update(const std::vector<bodies::Body<Dim>*>& bodies);
     /// Rebuilds this one if it is stale.
     void update(Relation<Dim>& relation);
 
     /// The relation of the reference configuration, made on first use. Its address stays.
-    ReferenceRelation<Dim>& reference(Body<Dim>& from, Body<Dim>& to);
+    ReferenceRelation<Dim>& reference(bodies::Body<Dim>& from, bodies::Body<Dim>& to);
     /// Builds its list if it names no particles, or others. Both bodies have a field
     /// initial_position.
     void build(ReferenceRelation<Dim>& relation);
 
-    const Domain<Dim>& domain() const { return world_->domain; }
+    const bodies::Domain<Dim>& domain() const { return world_->domain; }
     std::size_t bytes() const;
 
  private:
@@ -84,17 +84,17 @@ class Relations {
         CellGrid<Dim> cells;
         std::uint64_t version = ~std::uint64_t{0};
     };
-    Relation<Dim>& relation(Purpose purpose, const Body<Dim>& from, const Body<Dim>& to,
-                            Keeps keeps);
-    const CellGrid<Dim>& grid(const Body<Dim>& body);
+    Relation<Dim>& relation(Purpose purpose, const bodies::Body<Dim>& from,
+                            const bodies::Body<Dim>& to, Keeps keeps);
+    const CellGrid<Dim>& grid(const bodies::Body<Dim>& body);
 
-    World<Dim>* world_;
+    bodies::World<Dim>* world_;
     std::vector<std::unique_ptr<Relation<Dim>>> relations_;
     std::vector<std::unique_ptr<ReferenceRelation<Dim>>> references_;
-    std::map<const Body<Dim>*, Grid> grids_;
+    std::map<const bodies::Body<Dim>*, Grid> grids_;
 };
 
 extern template class Relations<2>;
 extern template class Relations<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::neighbors

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sphinx {
+namespace sphinx::particles {
 namespace {
 
 template <class T>
@@ -112,4 +112,4 @@ template class Field<Vec<3>>;
 template class Field<Mat<2>>;
 template class Field<Mat<3>>;
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 enum class Rank { scalar, vector, matrix, integer };
 
@@ -122,4 +122,4 @@ class Field final : public FieldBase {
     AlignedVector<T> spare_;  // permuted into, then swapped: sorting allocates once
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

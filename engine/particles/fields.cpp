@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "particles/fields.h"
 
-namespace sphinx::fields {
+namespace sphinx::particles::fields {
 
 const std::vector<const FieldInfo*>& all() {
     static const std::vector<const FieldInfo*> list = {
@@ -48,4 +48,4 @@ const FieldInfo* find(std::string_view name) {
     return nullptr;
 }
 
-}  // namespace sphinx::fields
+}  // namespace sphinx::particles::fields

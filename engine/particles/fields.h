@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 /// Every field of the program: name, rank, unit, meaning and what a new particle has in it, in one
 /// place.
@@ -114,4 +114,9 @@ const FieldInfo* find(std::string_view name);
 const std::vector<const FieldInfo*>& all();
 
 }  // namespace fields
+}  // namespace sphinx::particles
+
+// Fields are named everywhere.
+namespace sphinx {
+namespace fields = particles::fields;
 }  // namespace sphinx

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <numeric>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 template <int Dim>
 IdOrder::IdOrder(const ParticleSet<Dim>& particles) : size_(particles.size()) {
@@ -36,4 +36,4 @@ std::string_view IdOrder::bytes(const FieldBase& field, AlignedVector<char>& buf
 template IdOrder::IdOrder(const ParticleSet<2>&);
 template IdOrder::IdOrder(const ParticleSet<3>&);
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 /// The particles of a set by ascending id, as files have them: results then do not depend on where
 /// particles stand in memory. Nothing is copied for a set that stands in this order already. Valid
@@ -28,4 +28,4 @@ class IdOrder {
     AlignedVector<Index> places_;  // empty: as they stand
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

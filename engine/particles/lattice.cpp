@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 template <int Dim>
 std::vector<Vec<Dim>> latticePoints(const geometry::Shape<Dim>& shape, double spacing,
@@ -46,4 +46,4 @@ std::vector<Vec<Dim>> latticePoints(const geometry::Shape<Dim>& shape, double sp
 template std::vector<Vec<2>> latticePoints(const geometry::Shape<2>&, double, const Vec<2>&);
 template std::vector<Vec<3>> latticePoints(const geometry::Shape<3>&, double, const Vec<3>&);
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 /// Points of the square (cubic) lattice inside a shape, x fastest. Lattice lines run at
 /// origin + (k + 1/2) spacing, so a face at origin + k spacing lies half a spacing from the points.
@@ -17,4 +17,4 @@ template <int Dim>
 std::vector<Vec<Dim>> latticePoints(const geometry::Shape<Dim>& shape, double spacing,
                                     const Vec<Dim>& origin);
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 template <int Dim>
 ParticleSet<Dim>::ParticleSet() {
@@ -165,4 +165,4 @@ std::size_t ParticleSet<Dim>::bytes() const {
 template class ParticleSet<2>;
 template class ParticleSet<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

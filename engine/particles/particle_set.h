@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 /// The particles of one body: a structure of arrays. `id` and `position` always exist, other fields
 /// from the moment that someone requires them. A Field reference stays valid for the life of the
@@ -86,4 +86,4 @@ class ParticleSet {
 extern template class ParticleSet<2>;
 extern template class ParticleSet<3>;
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

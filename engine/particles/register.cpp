@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace sphinx {
+namespace sphinx::particles {
 namespace {
 
 struct NoParameters {};
@@ -34,4 +34,4 @@ void registerFields(input::Registry& registry) {
     }
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

@@ -4,9 +4,9 @@
 
 #include "input/declaration/registry.h"
 
-namespace sphinx {
+namespace sphinx::particles {
 
 /// Makes the fields known to list, describe and the reference page, with rank and unit.
 void registerFields(input::Registry& registry);
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 Index Remap::to(std::size_t i) const {
     if (!order_) return i < carried_ ? static_cast<Index>(i) : none;
@@ -29,4 +29,4 @@ RemapSubscription::RemapSubscription(RemapListeners& listeners,
 
 RemapSubscription::~RemapSubscription() { std::erase(listeners_->all_, this); }
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

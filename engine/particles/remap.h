@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 /// Where the particles of a set went when some came, went or changed places in memory.
 class Remap {
@@ -78,4 +78,4 @@ class RemapSubscription {
     std::function<void(const Remap&)> act_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

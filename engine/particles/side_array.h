@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::particles {
 
 /// One value for each particle of a set, kept by a method beside the fields: follows the particles
 /// when they come, go or change places in memory. The set lives longer. (What is filled anew before
@@ -81,4 +81,4 @@ class SideArray {
     RemapSubscription subscription_;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::particles

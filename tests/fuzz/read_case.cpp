@@ -21,7 +21,7 @@ namespace {
 const input::Registry& registry() {
     static const input::Registry* const all = [] {
         auto* made = new input::Registry;
-        registerAll(*made);
+        language::registerAll(*made);
         return made;
     }();
     return *all;
@@ -39,9 +39,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string text(reinterpret_cast<const char*>(data), size);
     std::string shown, physics;
     try {
-        const model::Case model = model::readCaseText("case.yaml", text, registry());
-        shown = model::showCase(model);
-        physics = model::physicsText(model);
+        const model::Case model = language::readCaseText("case.yaml", text, registry());
+        shown = run::showCase(model);
+        physics = run::physicsText(model);
     } catch (const CaseError& e) {
         if (std::string(e.what()).find("error: ") == std::string::npos)
             fail("an error without a message", text, e.what());
@@ -50,9 +50,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     try {
-        const model::Case again = model::readCaseText("resolved.yaml", shown, registry());
-        if (model::physicsText(again) != physics)
-            fail("the resolved case is another one", physics, model::physicsText(again));
+        const model::Case again = language::readCaseText("resolved.yaml", shown, registry());
+        if (run::physicsText(again) != physics)
+            fail("the resolved case is another one", physics, run::physicsText(again));
     } catch (const CaseError& e) {
         fail("the resolved case is wrong", shown, e.what());
     }

@@ -34,7 +34,7 @@ const io::Path& file() {
 }
 
 struct Target {
-    Body<2> water;
+    bodies::Body<2> water;
     std::vector<io::RestartBody<2>> bodies;
 
     Target() {

@@ -8,13 +8,13 @@
 
 #include <algorithm>
 
-namespace sphinx::model {
+namespace sphinx::build {
 namespace {
 
 template <int Dim>
-class DerivedOutput final : public sphinx::Output {
+class DerivedOutput final : public Output {
  public:
-    DerivedOutput(std::unique_ptr<sphinx::Output> output, DerivedFields<Dim> fields)
+    DerivedOutput(std::unique_ptr<Output> output, DerivedFields<Dim> fields)
         : output_(std::move(output)), fields_(std::move(fields)) {}
 
     std::vector<OutputFile> files() const override { return output_->files(); }
@@ -32,20 +32,20 @@ class DerivedOutput final : public sphinx::Output {
     void finish() override { output_->finish(); }
 
  private:
-    std::unique_ptr<sphinx::Output> output_;
+    std::unique_ptr<Output> output_;
     DerivedFields<Dim> fields_;
 };
 
 }  // namespace
 
 template <int Dim>
-DerivedFields<Dim>::DerivedFields(const input::Component& output, World<Dim>& world) {
+DerivedFields<Dim>::DerivedFields(const input::Component& output, bodies::World<Dim>& world) {
     std::vector<input::Name> names;
     for (const input::Parameter& parameter : output.declaration->parameters())
         parameter.type->names(parameter.in(output.parameters.get()), names);
     for (const input::Name& name : names) {
-        const FieldInfo* field = fields::find(name.text);
-        if (field && field->kind == FieldKind::derived &&
+        const particles::FieldInfo* field = fields::find(name.text);
+        if (field && field->kind == particles::FieldKind::derived &&
             std::find(fields_.begin(), fields_.end(), field) == fields_.end())
             fields_.push_back(field);
     }
@@ -53,28 +53,26 @@ DerivedFields<Dim>::DerivedFields(const input::Component& output, World<Dim>& wo
     for (auto& body : world.bodies) {
         if (!body->isElastic()) continue;
         bodies_.push_back(body.get());
-        for (const FieldInfo* field : fields_) body->particles.require(*field);
+        for (const particles::FieldInfo* field : fields_) body->particles.require(*field);
     }
 }
 
 template <int Dim>
 void DerivedFields<Dim>::refresh() const {
-    for (sphinx::Body<Dim>* body : bodies_)
-        for (const FieldInfo* field : fields_) solid::derive(*body, *field);
+    for (bodies::Body<Dim>* body : bodies_)
+        for (const particles::FieldInfo* field : fields_) dynamics::solid::derive(*body, *field);
 }
 
 template <int Dim>
-std::unique_ptr<sphinx::Output> withDerivedFields(std::unique_ptr<sphinx::Output> output,
-                                                  DerivedFields<Dim> fields) {
+std::unique_ptr<Output> withDerivedFields(std::unique_ptr<Output> output,
+                                          DerivedFields<Dim> fields) {
     if (fields.empty()) return output;
     return std::make_unique<DerivedOutput<Dim>>(std::move(output), std::move(fields));
 }
 
 template class DerivedFields<2>;
 template class DerivedFields<3>;
-template std::unique_ptr<sphinx::Output> withDerivedFields(std::unique_ptr<sphinx::Output>,
-                                                           DerivedFields<2>);
-template std::unique_ptr<sphinx::Output> withDerivedFields(std::unique_ptr<sphinx::Output>,
-                                                           DerivedFields<3>);
+template std::unique_ptr<Output> withDerivedFields(std::unique_ptr<Output>, DerivedFields<2>);
+template std::unique_ptr<Output> withDerivedFields(std::unique_ptr<Output>, DerivedFields<3>);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

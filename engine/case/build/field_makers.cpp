@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace sphinx::model {
+namespace sphinx::build {
 
 std::vector<loop::FieldMaker> fieldMakers(const input::Registry& registry) {
     std::vector<loop::FieldMaker> makers;
@@ -29,4 +29,4 @@ std::vector<loop::FieldMaker> fieldMakers(const input::Registry& registry) {
     return makers;
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

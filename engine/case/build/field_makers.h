@@ -7,10 +7,10 @@
 
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::build {
 
 /// What each type of method computes from scratch: fields of its own body that an action of it
 /// writes and does not read. For advice where a case lacks one.
 std::vector<loop::FieldMaker> fieldMakers(const input::Registry& registry);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

@@ -8,14 +8,15 @@
 #include <string>
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::build {
 
 /// Gives new particles of a body the velocity and the pressure that the case has at their places.
 template <int Dim>
-void giveInitialValues(const Body& source, double time, std::vector<NewParticle<Dim>>& particles);
+void giveInitialValues(const model::Body& source, double time,
+                       std::vector<bodies::NewParticle<Dim>>& particles);
 
 /// Names of the fields that have a value before the first step, besides id and position: of those
 /// that its particles have by themselves or that methods ask for.
-std::vector<std::string> initialFields(const Case& model, const Body& body);
+std::vector<std::string> initialFields(const model::Case& model, const model::Body& body);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

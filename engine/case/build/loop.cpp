@@ -8,36 +8,36 @@
 #include <algorithm>
 #include <cassert>
 
-namespace sphinx::model {
+namespace sphinx::build {
 namespace {
 
 /// Sets an accumulated field to zero before its first accumulator adds to it.
 template <int Dim>
-class ZeroField final : public Method {
+class ZeroField final : public dynamics::Method {
  public:
-    ZeroField(sphinx::Body<Dim>& body, FieldBase& field) : body_(body), field_(field) {}
+    ZeroField(bodies::Body<Dim>& body, particles::FieldBase& field) : body_(body), field_(field) {}
     void run(const Clock&) { field_.setZero(); }
     std::size_t workSize() const override { return body_.size(); }
 
  private:
-    sphinx::Body<Dim>& body_;
-    FieldBase& field_;
+    bodies::Body<Dim>& body_;
+    particles::FieldBase& field_;
 };
 
 template <int Dim>
-void bind(loop::Call& call, const Case& model, const Methods<Dim>& methods) {
-    const auto [name, action] = splitAction(call.label);
+void bind(loop::Call& call, const model::Case& model, const Methods<Dim>& methods) {
+    const auto [name, action] = model::splitAction(call.label);
     const input::Declaration& declaration = *model.findMethod(name)->declaration;
     call.method = methods.method(name);
     call.action = declaration.actions()[declaration.actionIndex(action)]
-                      .payload<BoundAction>()
+                      .payload<dynamics::BoundAction>()
                       .template call<Dim>();
 }
 
 /// A line of the loop's own, before the first that adds to the field.
 template <int Dim>
-loop::Call zeroing(const loop::Zeroing& zero, World<Dim>& world, Methods<Dim>& methods) {
-    const auto run = [](Method& method, const Clock& clock) {
+loop::Call zeroing(const loop::Zeroing& zero, bodies::World<Dim>& world, Methods<Dim>& methods) {
+    const auto run = [](dynamics::Method& method, const Clock& clock) {
         static_cast<ZeroField<Dim>&>(method).run(clock);
     };
     return {{"zero " + zero.field + " of " + zero.body},
@@ -46,7 +46,8 @@ loop::Call zeroing(const loop::Zeroing& zero, World<Dim>& world, Methods<Dim>& m
 }
 
 template <int Dim>
-void bind(loop::Layer& layer, const Case& model, World<Dim>& world, Methods<Dim>& methods) {
+void bind(loop::Layer& layer, const model::Case& model, bodies::World<Dim>& world,
+          Methods<Dim>& methods) {
     for (loop::TimeStep& estimate : layer.dt) estimate.method = methods.timeStep(estimate.label);
     for (loop::Step& step : layer.steps)
         if (auto* inner = std::get_if<loop::Layer>(&step.value))
@@ -62,16 +63,19 @@ void bind(loop::Layer& layer, const Case& model, World<Dim>& world, Methods<Dim>
 }  // namespace
 
 template <int Dim>
-Methods<Dim>::Methods(const Case& model, Context<Dim>& context) : world_(&context.world) {
-    for (const Component& c : model.dynamics) {
+Methods<Dim>::Methods(const model::Case& model, dynamics::Context<Dim>& context)
+    : world_(&context.world) {
+    for (const input::Component& c : model.dynamics) {
         if (!model.calls(c.name)) continue;
         const void* parameters = c.parameters.get();
         if (c.declaration->isTimeStep())
             time_steps_[c.name] =
-                c.declaration->builder<Factory<TimeStepMethod>>().make(parameters, context);
+                c.declaration->builder<dynamics::Factory<dynamics::TimeStepMethod>>().make(
+                    parameters, context);
         else
             methods_.emplace_back(
-                c.name, c.declaration->builder<MethodBuilder>().factory.make(parameters, context));
+                c.name, c.declaration->builder<dynamics::MethodBuilder>().factory.make(parameters,
+                                                                                       context));
     }
     for (const auto& [name, method] : methods_) method->announce();
 }
@@ -79,27 +83,27 @@ Methods<Dim>::Methods(const Case& model, Context<Dim>& context) : world_(&contex
 template <int Dim>
 void Methods<Dim>::prepare() {
     for (auto& body : world_->bodies)
-        if (body->isElastic()) findShares(*body);
+        if (body->isElastic()) bodies::findShares(*body);
     for (const auto& [name, method] : methods_) method->prepare();
 }
 
 template <int Dim>
-Method* Methods<Dim>::method(std::string_view name) const {
+dynamics::Method* Methods<Dim>::method(std::string_view name) const {
     const auto found = std::ranges::find(methods_, name, &Named::first);
     assert(found != methods_.end());
     return found->second.get();
 }
 
 template <int Dim>
-Method* Methods<Dim>::zero(sphinx::Body<Dim>& body, const std::string& field) {
-    FieldBase& values = body.particles.require(*fields::find(field));
+dynamics::Method* Methods<Dim>::zero(bodies::Body<Dim>& body, const std::string& field) {
+    particles::FieldBase& values = body.particles.require(*fields::find(field));
     zeros_.push_back(std::make_unique<ZeroField<Dim>>(body, values));
     return zeros_.back().get();
 }
 
 template <int Dim>
-std::vector<const Method*> Methods<Dim>::all() const {
-    std::vector<const Method*> methods;
+std::vector<const dynamics::Method*> Methods<Dim>::all() const {
+    std::vector<const dynamics::Method*> methods;
     for (const auto& [name, method] : methods_) methods.push_back(method.get());
     return methods;
 }
@@ -113,7 +117,8 @@ void Methods<Dim>::transfer(Archive& archive) {
 }
 
 template <int Dim>
-loop::Plan bindPlan(loop::Plan plan, const Case& model, World<Dim>& world, Methods<Dim>& methods) {
+loop::Plan bindPlan(loop::Plan plan, const model::Case& model, bodies::World<Dim>& world,
+                    Methods<Dim>& methods) {
     for (loop::Call& call : plan.start) bind(call, model, methods);
     bind(plan.outermost, model, world, methods);
     return plan;
@@ -121,7 +126,7 @@ loop::Plan bindPlan(loop::Plan plan, const Case& model, World<Dim>& world, Metho
 
 template class Methods<2>;
 template class Methods<3>;
-template loop::Plan bindPlan(loop::Plan, const Case&, World<2>&, Methods<2>&);
-template loop::Plan bindPlan(loop::Plan, const Case&, World<3>&, Methods<3>&);
+template loop::Plan bindPlan(loop::Plan, const model::Case&, bodies::World<2>&, Methods<2>&);
+template loop::Plan bindPlan(loop::Plan, const model::Case&, bodies::World<3>&, Methods<3>&);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::build {
 
 /// The methods that the loop of a case calls, made from their parameters, and the calls that zero
 /// accumulated fields. What the loop does not call is not made: it cannot act.
@@ -21,33 +21,35 @@ template <int Dim>
 class Methods {
  public:
     /// Has all of them announce.
-    Methods(const Case& model, Context<Dim>& context);
+    Methods(const model::Case& model, dynamics::Context<Dim>& context);
 
     /// Once, when the particles are there.
     void prepare();
 
-    Method* method(std::string_view name) const;
-    TimeStepMethod* timeStep(const std::string& name) const { return time_steps_.at(name).get(); }
+    dynamics::Method* method(std::string_view name) const;
+    dynamics::TimeStepMethod* timeStep(const std::string& name) const {
+        return time_steps_.at(name).get();
+    }
     /// A method that sets a field to zero; it lives as long as this object.
-    Method* zero(sphinx::Body<Dim>& body, const std::string& field);
+    dynamics::Method* zero(bodies::Body<Dim>& body, const std::string& field);
 
-    std::vector<const Method*> all() const;
+    std::vector<const dynamics::Method*> all() const;
 
     /// State of all methods, a section for each.
     void transfer(Archive& archive);
 
  private:
-    World<Dim>* world_;
-    using Named = std::pair<std::string, std::unique_ptr<Method>>;
+    bodies::World<Dim>* world_;
+    using Named = std::pair<std::string, std::unique_ptr<dynamics::Method>>;
     std::vector<Named> methods_;  // in the order of the case
-    std::map<std::string, std::unique_ptr<TimeStepMethod>> time_steps_;
-    std::vector<std::unique_ptr<Method>> zeros_;
+    std::map<std::string, std::unique_ptr<dynamics::TimeStepMethod>> time_steps_;
+    std::vector<std::unique_ptr<dynamics::Method>> zeros_;
 };
 
 /// The plan that loopFacts() describes, ready to run but for its outputs: each line with its
 /// method, and lines that zero what others accumulate.
 template <int Dim>
-loop::Plan bindPlan(loop::Plan described, const Case& model, World<Dim>& world,
+loop::Plan bindPlan(loop::Plan described, const model::Case& model, bodies::World<Dim>& world,
                     Methods<Dim>& methods);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

@@ -6,20 +6,20 @@
 #include "input/tree/diagnostics.h"
 #include "loop/flow/facts.h"
 
-namespace sphinx::model {
+namespace sphinx::build {
 
 /// The loop of a case as it is written, with the places that its ids stand for.
 struct PlacedFacts {
     loop::LoopFacts facts;
-    std::vector<Place> places;  ///< by id
+    std::vector<input::Place> places;  ///< by id
 };
 
-PlacedFacts loopFacts(const Case& model);
+PlacedFacts loopFacts(const model::Case& model);
 
 /// The trigger of an `every`; nothing for the start and the end only.
-std::optional<loop::Trigger> triggerOf(const Every& every);
+std::optional<loop::Trigger> triggerOf(const input::Every& every);
 
 /// Runs the check of the loop and reports what it finds at its places.
 void checkLoop(const PlacedFacts& placed, input::Diagnostics& diagnostics);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

@@ -11,22 +11,22 @@
 #include <algorithm>
 #include <map>
 
-namespace sphinx::model {
+namespace sphinx::build {
 namespace {
 
 template <int Dim>
-std::unique_ptr<sphinx::Output> makeRestart(const OutputTools<Dim>& tools,
-                                            const io::RestartSettings& settings) {
+std::unique_ptr<Output> makeRestart(const OutputTools<Dim>& tools,
+                                    const io::RestartSettings& settings) {
     io::RestartParameters parameters{settings, tools.folder / "restart", tools.restart_header};
     return std::make_unique<io::RestartOutput<Dim>>(parameters, tools.restart_bodies, tools.state);
 }
 
 /// Observers whose points move with the material.
 template <int Dim>
-std::vector<const sphinx::Body<Dim>*> followers(const OutputTools<Dim>& tools) {
-    std::vector<const sphinx::Body<Dim>*> bodies;
-    for (const Body& body : tools.model.bodies)
-        if (body.role == Role::observer && body.follows == Follows::material)
+std::vector<const bodies::Body<Dim>*> followers(const OutputTools<Dim>& tools) {
+    std::vector<const bodies::Body<Dim>*> bodies;
+    for (const model::Body& body : tools.model.bodies)
+        if (body.role == bodies::Role::observer && body.follows == model::Follows::material)
             bodies.push_back(tools.world.find(body.name));
     return bodies;
 }
@@ -34,7 +34,7 @@ std::vector<const sphinx::Body<Dim>*> followers(const OutputTools<Dim>& tools) {
 /// Refuses what would write the same files as an output before it.
 class FileOwners {
  public:
-    void add(const Output& source, const sphinx::Output& output) {
+    void add(const model::Output& source, const Output& output) {
         for (const OutputFile& file : output.files()) {
             const auto [owner, added] = owners_.emplace(file.name, source.name);
             if (!added)
@@ -58,7 +58,7 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
                                          tools.model.units, tools.provenance, results,
                                          tools.progress,    tools.methods,    followers(tools)};
     FileOwners owners;
-    for (const Output& source : tools.model.outputs) {
+    for (const model::Output& source : tools.model.outputs) {
         const std::string& type = source.declaration->name();
         const bool restart = type == "restart";
         if (!files && type != "progress") continue;
@@ -89,4 +89,4 @@ void Outputs<Dim>::addTo(loop::Plan& plan) const {
 template class Outputs<2>;
 template class Outputs<3>;
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

@@ -13,18 +13,18 @@
 #include <memory>
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::build {
 
 /// What the outputs of a case are made from.
 template <int Dim>
 struct OutputTools {
-    const Case& model;
-    World<Dim>& world;
-    Relations<Dim>& relations;
+    const model::Case& model;
+    bodies::World<Dim>& world;
+    neighbors::Relations<Dim>& relations;
     io::Path folder;
     io::Provenance provenance;
     std::function<Progress()> progress;
-    std::vector<const Method*> methods;  ///< those of the loop
+    std::vector<const dynamics::Method*> methods;  ///< those of the loop
     io::RestartHeader restart_header;
     std::vector<io::RestartBody<Dim>> restart_bodies;
     io::StateTransfer state;
@@ -44,8 +44,8 @@ class Outputs {
     const std::vector<loop::OutputEntry>& entries() const { return entries_; }
 
  private:
-    std::vector<std::unique_ptr<sphinx::Output>> outputs_;
+    std::vector<std::unique_ptr<Output>> outputs_;
     std::vector<loop::OutputEntry> entries_;
 };
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

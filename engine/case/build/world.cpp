@@ -13,13 +13,13 @@
 #include <cmath>
 #include <map>
 
-namespace sphinx::model {
+namespace sphinx::build {
 namespace {
 
 template <int Dim>
-sphinx::Domain<Dim> makeDomain(const Case& model) {
-    sphinx::Domain<Dim> domain;
-    for (const Shape& shape : model.shapes)
+bodies::Domain<Dim> makeDomain(const model::Case& model) {
+    bodies::Domain<Dim> domain;
+    for (const model::Shape& shape : model.shapes)
         if (!shape.as<Dim>()->empty()) domain.bounds.include(shape.as<Dim>()->bounds());
     if (model.domain.lower) domain.bounds.lower = model.domain.lower->as<Dim>();
     if (model.domain.upper) domain.bounds.upper = model.domain.upper->as<Dim>();
@@ -31,21 +31,25 @@ sphinx::Domain<Dim> makeDomain(const Case& model) {
 
 /// The role of a body of that material; its kind and the material's are known to agree.
 template <int Dim>
-decltype(sphinx::Body<Dim>::role) makeRole(Role role, std::shared_ptr<const Material> material) {
+decltype(bodies::Body<Dim>::role) makeRole(bodies::Role role,
+                                           std::shared_ptr<const materials::Material> material) {
     switch (role) {
-        case Role::fluid: return FluidRole<Dim>{std::dynamic_pointer_cast<const Fluid>(material)};
-        case Role::elastic:
-            return ElasticRole<Dim>{std::dynamic_pointer_cast<const ElasticSolid>(material)};
-        case Role::wall: return WallRole{std::move(material)};
-        case Role::observer: break;
+        case bodies::Role::fluid:
+            return bodies::FluidRole<Dim>{
+                std::dynamic_pointer_cast<const materials::Fluid>(material)};
+        case bodies::Role::elastic:
+            return bodies::ElasticRole<Dim>{
+                std::dynamic_pointer_cast<const materials::ElasticSolid>(material)};
+        case bodies::Role::wall: return bodies::WallRole{std::move(material)};
+        case bodies::Role::observer: break;
     }
-    return ObserverRole{};
+    return bodies::ObserverRole{};
 }
 
 /// Lattice lines start at the origin that the body names, else at that of the coordinates; along a
 /// periodic axis at the lower bound, so that the lattice goes on across it.
 template <int Dim>
-Vec<Dim> latticeOrigin(const Body& body, const sphinx::Domain<Dim>& domain) {
+Vec<Dim> latticeOrigin(const model::Body& body, const bodies::Domain<Dim>& domain) {
     if (body.resolution.origin) return body.resolution.origin->as<Dim>();
     Vec<Dim> origin = Vec<Dim>::Zero();
     for (int k = 0; k < Dim; ++k)
@@ -55,7 +59,7 @@ Vec<Dim> latticeOrigin(const Body& body, const sphinx::Domain<Dim>& domain) {
 
 /// Particles of a lattice along periodic axes: a face shared by both ends belongs to one of them.
 template <int Dim>
-void keepOnePeriod(std::vector<Vec<Dim>>& points, const sphinx::Domain<Dim>& domain) {
+void keepOnePeriod(std::vector<Vec<Dim>>& points, const bodies::Domain<Dim>& domain) {
     std::erase_if(points, [&](const Vec<Dim>& p) {
         for (int k = 0; k < Dim; ++k)
             if (domain.periodic[static_cast<std::size_t>(k)] &&
@@ -68,9 +72,9 @@ void keepOnePeriod(std::vector<Vec<Dim>>& points, const sphinx::Domain<Dim>& dom
 /// The rule that the material has for the places of its particles; the first mistake stands for
 /// all.
 template <int Dim>
-void checkPlaces(const Component& material, const std::vector<Vec<Dim>>& places,
+void checkPlaces(const input::Component& material, const std::vector<Vec<Dim>>& places,
                  input::Diagnostics& diagnostics) {
-    const auto& rule = material.declaration->builder<MaterialBuilder>().place_rule;
+    const auto& rule = material.declaration->builder<materials::MaterialBuilder>().place_rule;
     if (!rule) return;
     for (const Vec<Dim>& place : places)
         if (const auto violation = rule->check(material.parameters.get(), place)) {
@@ -80,68 +84,70 @@ void checkPlaces(const Component& material, const std::vector<Vec<Dim>>& places,
 }
 
 template <int Dim>
-void makeParticles(const Case& model, const Body& source, const sphinx::Domain<Dim>& domain,
-                   sphinx::Body<Dim>& body, input::Diagnostics& diagnostics) {
+void makeParticles(const model::Case& model, const model::Body& source,
+                   const bodies::Domain<Dim>& domain, bodies::Body<Dim>& body,
+                   input::Diagnostics& diagnostics) {
     std::vector<Vec<Dim>> points;
     std::vector<double> volumes;
-    if (source.role == Role::observer) {
-        for (const Coordinates& p : source.points) points.push_back(p.as<Dim>());
+    if (source.role == bodies::Role::observer) {
+        for (const input::Coordinates& p : source.points) points.push_back(p.as<Dim>());
     } else if (source.particles) {
-        for (const Coordinates& p : source.particles->points) points.push_back(p.as<Dim>());
+        for (const input::Coordinates& p : source.particles->points) points.push_back(p.as<Dim>());
         volumes = source.particles->volumes;
     } else {
-        points = latticePoints<Dim>(*body.shape, body.spacing, latticeOrigin(source, domain));
+        points =
+            particles::latticePoints<Dim>(*body.shape, body.spacing, latticeOrigin(source, domain));
         keepOnePeriod(points, domain);
     }
     if (volumes.empty()) volumes.assign(points.size(), std::pow(body.spacing, Dim));
 
-    if (const Component* material = model.findMaterial(source.material.text))
+    if (const input::Component* material = model.findMaterial(source.material.text))
         checkPlaces<Dim>(*material, points, diagnostics);
-    std::vector<NewParticle<Dim>> particles(points.size());
+    std::vector<bodies::NewParticle<Dim>> particles(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         particles[i].position = points[i];
         particles[i].volume = volumes[i];
     }
     giveInitialValues(source, model.loop.start_time, particles);
-    addParticles(body, particles);
+    bodies::addParticles(body, particles);
 }
 
 }  // namespace
 
 template <int Dim>
-std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
-                                       input::Diagnostics& diagnostics) {
-    checkLattices<Dim>(model, diagnostics);
+std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool particles,
+                                               input::Diagnostics& diagnostics) {
+    check::checkLattices<Dim>(model, diagnostics);
     diagnostics.throwIfErrors();
-    auto world = std::make_unique<World<Dim>>();
+    auto world = std::make_unique<bodies::World<Dim>>();
     world->units = model.units;
     world->domain = makeDomain<Dim>(model);
 
-    std::map<std::string, std::shared_ptr<const Material>> materials;
-    for (const Component& material : model.materials)
-        materials[material.name] =
-            material.declaration->builder<MaterialBuilder>().make(material.parameters.get());
+    std::map<std::string, std::shared_ptr<const materials::Material>> materials;
+    for (const input::Component& material : model.materials)
+        materials[material.name] = material.declaration->builder<materials::MaterialBuilder>().make(
+            material.parameters.get());
 
-    for (const Body& source : model.bodies) {
-        auto body = std::make_unique<sphinx::Body<Dim>>();
+    for (const model::Body& source : model.bodies) {
+        auto body = std::make_unique<bodies::Body<Dim>>();
         body->name = source.name;
         if (!source.material.empty())
             body->role = makeRole<Dim>(source.role, materials.at(source.material.text));
         if (!source.shape.empty()) body->shape = model.findShape(source.shape.text)->as<Dim>();
         body->spacing = source.spacing(model.resolution);
         const double h = source.smoothingRatio(model.resolution) * body->spacing;
-        body->kernel = Kernel<Dim>(model.resolution.kernel, h, body->spacing);
-        for (const Part& part : source.parts)
+        body->kernel = kernels::Kernel<Dim>(model.resolution.kernel, h, body->spacing);
+        for (const model::Part& part : source.parts)
             body->parts.push_back({part.name, {}, model.findShape(part.shape.text)->as<Dim>()});
-        if (particles || source.role == Role::observer)
+        if (particles || source.role == bodies::Role::observer)
             makeParticles(model, source, world->domain, *body, diagnostics);
         else
-            addParticles(*body, {});
+            bodies::addParticles(*body, {});
         world->bodies.push_back(std::move(body));
     }
     for (auto& body : world->bodies)
-        for (const Contact& contact : model.seenBy(body->name)) {
-            sphinx::Body<Dim>* other = world->find(contact.body.text);
+        for (const model::Contact& contact : model.seenBy(body->name)) {
+            bodies::Body<Dim>* other = world->find(contact.body.text);
             (contact.bonded ? body->bonded : body->sees).push_back(other);
         }
     for (auto& body : world->bodies)
@@ -150,15 +156,17 @@ std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
             body->kernel = body->sees.front()->kernel;
         }
     if (particles) {
-        checkParticles(model, *world, diagnostics);
-        checkElastic(model, *world, diagnostics);
-        checkWalls(model, *world, diagnostics);
-        checkWorldRules(model, *world, diagnostics);
+        check::checkParticles(model, *world, diagnostics);
+        check::checkElastic(model, *world, diagnostics);
+        check::checkWalls(model, *world, diagnostics);
+        check::checkWorldRules(model, *world, diagnostics);
     }
     return world;
 }
 
-template std::unique_ptr<World<2>> buildWorld<2>(const Case&, bool, input::Diagnostics&);
-template std::unique_ptr<World<3>> buildWorld<3>(const Case&, bool, input::Diagnostics&);
+template std::unique_ptr<bodies::World<2>> buildWorld<2>(const model::Case&, bool,
+                                                         input::Diagnostics&);
+template std::unique_ptr<bodies::World<3>> buildWorld<3>(const model::Case&, bool,
+                                                         input::Diagnostics&);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

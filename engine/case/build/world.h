@@ -8,13 +8,13 @@
 
 #include <memory>
 
-namespace sphinx::model {
+namespace sphinx::build {
 
 /// Bodies with their particles and initial values. What only shows on particles goes to
 /// `diagnostics`: a body without particles, bodies that overlap, fluid outside of the domain.
 /// Without `particles` the bodies stay empty, for a restart to fill.
 template <int Dim>
-std::unique_ptr<World<Dim>> buildWorld(const Case& model, bool particles,
-                                       input::Diagnostics& diagnostics);
+std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool particles,
+                                               input::Diagnostics& diagnostics);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::build

@@ -6,18 +6,19 @@
 #include <algorithm>
 #include <limits>
 
-namespace sphinx::model {
+namespace sphinx::check {
 
 template <int Dim>
-void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
-    for (const Body& source : model.bodies) {
-        if (source.role != Role::elastic) continue;
-        const sphinx::Body<Dim>& body = *world.find(source.name);
+void checkElastic(const model::Case& model, const bodies::World<Dim>& world,
+                  input::Diagnostics& diagnostics) {
+    for (const model::Body& source : model.bodies) {
+        if (source.role != bodies::Role::elastic) continue;
+        const bodies::Body<Dim>& body = *world.find(source.name);
         for (int axis = 0; axis < Dim; ++axis) {
             if (!world.domain.periodic[axis]) continue;
             double low = std::numeric_limits<double>::infinity();
             double high = -low;
-            for (const sphinx::Body<Dim>* piece : body.piece())
+            for (const bodies::Body<Dim>* piece : body.piece())
                 for (std::size_t i = 0; i < piece->size(); ++i) {
                     low = std::min(low, piece->particles.position()[i][axis]);
                     high = std::max(high, piece->particles.position()[i][axis]);
@@ -38,7 +39,7 @@ void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics
     }
 }
 
-template void checkElastic(const Case&, const World<2>&, input::Diagnostics&);
-template void checkElastic(const Case&, const World<3>&, input::Diagnostics&);
+template void checkElastic(const model::Case&, const bodies::World<2>&, input::Diagnostics&);
+template void checkElastic(const model::Case&, const bodies::World<3>&, input::Diagnostics&);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

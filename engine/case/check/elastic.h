@@ -6,11 +6,12 @@
 #include "case/model/model.h"
 #include "input/tree/diagnostics.h"
 
-namespace sphinx::model {
+namespace sphinx::check {
 
 /// Elastic bodies, with those bonded to them, do not reach across a periodic side of the domain:
 /// their particles would be neighbors of those at the other end, a whole domain away.
 template <int Dim>
-void checkElastic(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
+void checkElastic(const model::Case& model, const bodies::World<Dim>& world,
+                  input::Diagnostics& diagnostics);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

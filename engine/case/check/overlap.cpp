@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace sphinx::model {
+namespace sphinx::check {
 namespace {
 
 /// Of what is compared in spacings.
@@ -17,7 +17,7 @@ constexpr double rounding = 1e-6;
 
 /// Distance to the surface of its shape; 0 outside.
 template <int Dim>
-double depth(const sphinx::Body<Dim>& body, std::size_t i) {
+double depth(const bodies::Body<Dim>& body, std::size_t i) {
     return std::max(0.0, -body.shape->signedDistance(body.particles.position()[i]));
 }
 
@@ -35,17 +35,18 @@ struct Meeting {
 
 /// Particles nearer than half a spacing: lattices side by side keep a whole spacing.
 template <int Dim>
-Meeting<Dim> meet(const World<Dim>& world, const sphinx::Body<Dim>& a, const sphinx::Body<Dim>& b,
-                  bool shapes) {
+Meeting<Dim> meet(const bodies::World<Dim>& world, const bodies::Body<Dim>& a,
+                  const bodies::Body<Dim>& b, bool shapes) {
     const double spacing = std::max(a.spacing, b.spacing);
     const double limit = 0.5 * spacing * (1 - rounding);
-    CellGrid<Dim> grid_a;
-    CellGrid<Dim> grid_b;
+    neighbors::CellGrid<Dim> grid_a;
+    neighbors::CellGrid<Dim> grid_b;
     grid_a.build(a.particles.position().data(), a.size(), spacing);
     grid_b.build(b.particles.position().data(), b.size(), spacing);
-    NeighborList<Dim> list;
-    const Kernel<Dim> kernel(KernelType::wendland_c2, limit / WendlandC2<Dim>::reach, limit);
-    buildList(grid_a, grid_b, false, kernel, world.domain, list);
+    neighbors::NeighborList<Dim> list;
+    const kernels::Kernel<Dim> kernel(kernels::KernelType::wendland_c2,
+                                      limit / kernels::WendlandC2<Dim>::reach, limit);
+    neighbors::buildList(grid_a, grid_b, false, kernel, world.domain, list);
     Meeting<Dim> meeting;
     for (std::size_t i = 0; i < a.size(); ++i) {
         if (list.ranges[i].count == 0) continue;
@@ -72,13 +73,14 @@ Meeting<Dim> meet(const World<Dim>& world, const sphinx::Body<Dim>& a, const sph
 
 /// By how many spacings the cell of a particle reaches out of its shape.
 template <int Dim>
-double beyond(const sphinx::Body<Dim>& body, std::size_t i) {
+double beyond(const bodies::Body<Dim>& body, std::size_t i) {
     return 0.5 - depth(body, i) / body.spacing;
 }
 
 /// Why the cells of a lattice reach out of its shape at that particle.
 template <int Dim>
-std::string latticeText(const World<Dim>& world, const sphinx::Body<Dim>& body, std::size_t i) {
+std::string latticeText(const bodies::World<Dim>& world, const bodies::Body<Dim>& body,
+                        std::size_t i) {
     const std::string what = fmt::format("cells of {} reach {:.2g} spacings out of its shape",
                                          body.name, beyond(body, i));
     const Vec<Dim>& x = body.particles.position()[i];
@@ -99,9 +101,10 @@ std::string latticeText(const World<Dim>& world, const sphinx::Body<Dim>& body, 
 }
 
 template <int Dim>
-void checkPair(const Case& model, const World<Dim>& world, const sphinx::Body<Dim>& a,
-               const sphinx::Body<Dim>& b, input::Diagnostics& diagnostics) {
-    const Body& source = *model.findBody(a.name);
+void checkPair(const model::Case& model, const bodies::World<Dim>& world,
+               const bodies::Body<Dim>& a, const bodies::Body<Dim>& b,
+               input::Diagnostics& diagnostics) {
+    const model::Body& source = *model.findBody(a.name);
     const bool lattices =
         a.shape && b.shape && !source.particles && !model.findBody(b.name)->particles;
     const Meeting<Dim> meeting = meet(world, a, b, lattices);
@@ -135,7 +138,8 @@ void checkPair(const Case& model, const World<Dim>& world, const sphinx::Body<Di
 }  // namespace
 
 template <int Dim>
-void checkOverlap(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+void checkOverlap(const model::Case& model, const bodies::World<Dim>& world,
+                  input::Diagnostics& diagnostics) {
     for (std::size_t m = 0; m < world.bodies.size(); ++m)
         for (std::size_t k = m + 1; k < world.bodies.size(); ++k) {
             const auto& a = *world.bodies[m];
@@ -146,7 +150,7 @@ void checkOverlap(const Case& model, const World<Dim>& world, input::Diagnostics
         }
 }
 
-template void checkOverlap(const Case&, const World<2>&, input::Diagnostics&);
-template void checkOverlap(const Case&, const World<3>&, input::Diagnostics&);
+template void checkOverlap(const model::Case&, const bodies::World<2>&, input::Diagnostics&);
+template void checkOverlap(const model::Case&, const bodies::World<3>&, input::Diagnostics&);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx::model {
+namespace sphinx::check {
 namespace {
 
 /// More particles have no 32-bit index; some of the box around a body may be empty.
@@ -30,13 +30,13 @@ template <int Dim>
 double countAbout(const geometry::Shape<Dim>& shape, double spacing) {
     const double cells = (shape.bounds().size() / spacing).prod();
     const double ratio = std::max(1.0, std::pow(cells / sampled_points, 1.0 / Dim));
-    const auto sample = latticePoints<Dim>(shape, ratio * spacing, shape.bounds().lower);
+    const auto sample = particles::latticePoints<Dim>(shape, ratio * spacing, shape.bounds().lower);
     return static_cast<double>(sample.size()) * std::pow(ratio, Dim);
 }
 
 template <int Dim>
-void checkDomain(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
-                 input::Diagnostics& diagnostics) {
+void checkDomain(const model::Body& source, const bodies::Body<Dim>& body,
+                 const bodies::World<Dim>& world, input::Diagnostics& diagnostics) {
     if (body.isSolid()) return;
     const auto& position = body.particles.position();
     std::size_t outside = 0;
@@ -64,9 +64,9 @@ void checkDomain(const Body& source, const sphinx::Body<Dim>& body, const World<
 
 /// Nearer images of a particle than its reach would be its neighbors.
 template <int Dim>
-void checkPeriod(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
-                 input::Diagnostics& diagnostics) {
-    const sphinx::Domain<Dim>& domain = world.domain;
+void checkPeriod(const model::Body& source, const bodies::Body<Dim>& body,
+                 const bodies::World<Dim>& world, input::Diagnostics& diagnostics) {
+    const bodies::Domain<Dim>& domain = world.domain;
     for (int axis = 0; axis < Dim; ++axis) {
         const double period = domain.bounds.upper[axis] - domain.bounds.lower[axis];
         if (domain.periodic[axis] && period < body.kernel.cutoff())
@@ -82,9 +82,9 @@ void checkPeriod(const Body& source, const sphinx::Body<Dim>& body, const World<
 /// An expression of place may have no value somewhere, and a fluid bears no pressure at which its
 /// density would not be positive.
 template <int Dim>
-void checkInitialValues(const Body& source, const sphinx::Body<Dim>& body, const World<Dim>& world,
-                        input::Diagnostics& diagnostics) {
-    const auto report = [&](const FieldInfo& field, double value, const Vec<Dim>& at) {
+void checkInitialValues(const model::Body& source, const bodies::Body<Dim>& body,
+                        const bodies::World<Dim>& world, input::Diagnostics& diagnostics) {
+    const auto report = [&](const particles::FieldInfo& field, double value, const Vec<Dim>& at) {
         diagnostics.error(source.place,
                           fmt::format("the initial {} of {} is {} at {}", field.name, body.name,
                                       world.quantityText(value, field.unit), world.placeText(at)));
@@ -114,9 +114,10 @@ void checkInitialValues(const Body& source, const sphinx::Body<Dim>& body, const
 }  // namespace
 
 template <int Dim>
-void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
-    for (const Body& source : model.bodies) {
-        const sphinx::Body<Dim>& body = *world.find(source.name);
+void checkParticles(const model::Case& model, const bodies::World<Dim>& world,
+                    input::Diagnostics& diagnostics) {
+    for (const model::Body& source : model.bodies) {
+        const bodies::Body<Dim>& body = *world.find(source.name);
         if (body.size() == 0) {
             diagnostics.error(
                 source.place,
@@ -139,9 +140,9 @@ void checkParticles(const Case& model, const World<Dim>& world, input::Diagnosti
 }
 
 template <int Dim>
-void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
+void checkLattices(const model::Case& model, input::Diagnostics& diagnostics) {
     const std::string length = model.units.suffix(unit::length);
-    for (const Body& source : model.bodies) {
+    for (const model::Body& source : model.bodies) {
         if (source.shape.empty() || source.particles) continue;
         const auto& shape = *model.findShape(source.shape.text)->as<Dim>();
         if (shape.empty()) continue;
@@ -167,9 +168,9 @@ void checkLattices(const Case& model, input::Diagnostics& diagnostics) {
     }
 }
 
-template void checkLattices<2>(const Case&, input::Diagnostics&);
-template void checkLattices<3>(const Case&, input::Diagnostics&);
-template void checkParticles(const Case&, const World<2>&, input::Diagnostics&);
-template void checkParticles(const Case&, const World<3>&, input::Diagnostics&);
+template void checkLattices<2>(const model::Case&, input::Diagnostics&);
+template void checkLattices<3>(const model::Case&, input::Diagnostics&);
+template void checkParticles(const model::Case&, const bodies::World<2>&, input::Diagnostics&);
+template void checkParticles(const model::Case&, const bodies::World<3>&, input::Diagnostics&);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

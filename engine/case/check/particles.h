@@ -8,15 +8,16 @@
 
 #include <string>
 
-namespace sphinx::model {
+namespace sphinx::check {
 
 /// Reports lattices too large to be made.
 template <int Dim>
-void checkLattices(const Case& model, input::Diagnostics& diagnostics);
+void checkLattices(const model::Case& model, input::Diagnostics& diagnostics);
 
 /// Reports bodies without particles, bodies that overlap, fluid outside of the domain and initial
 /// values that are no numbers.
 template <int Dim>
-void checkParticles(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
+void checkParticles(const model::Case& model, const bodies::World<Dim>& world,
+                    input::Diagnostics& diagnostics);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-namespace sphinx::model {
+namespace sphinx::check {
 namespace {
 
 constexpr int layers_needed = 3;
@@ -14,7 +14,7 @@ constexpr double part_that_counts = 0.125;
 
 /// Particles below this one along the inward normal of the surface, itself included.
 template <int Dim>
-int layersAt(const sphinx::Body<Dim>& body, const Vec<Dim>& point) {
+int layersAt(const bodies::Body<Dim>& body, const Vec<Dim>& point) {
     const Vec<Dim> inwards = -body.spacing * body.shape->normal(point);
     int layers = 1;
     while (layers < layers_needed && body.shape->contains(point + layers * inwards)) ++layers;
@@ -22,8 +22,9 @@ int layersAt(const sphinx::Body<Dim>& body, const Vec<Dim>& point) {
 }
 
 template <int Dim>
-void checkThickness(const Body& source, const World<Dim>& world, const sphinx::Body<Dim>& wall,
-                    const sphinx::Body<Dim>& fluid, input::Diagnostics& diagnostics) {
+void checkThickness(const model::Body& source, const bodies::World<Dim>& world,
+                    const bodies::Body<Dim>& wall, const bodies::Body<Dim>& fluid,
+                    input::Diagnostics& diagnostics) {
     const auto& position = wall.particles.position();
     std::size_t surface = 0;
     std::size_t thin = 0;
@@ -47,15 +48,16 @@ void checkThickness(const Body& source, const World<Dim>& world, const sphinx::B
 }
 
 /// A rigid body acts on those that see it, and on nothing else.
-void checkSeen(const Case& model, input::Diagnostics& diagnostics) {
-    for (const Body& wall : model.bodies) {
-        if (wall.role != Role::wall) continue;
-        const bool seen =
-            std::any_of(model.topology.begin(), model.topology.end(), [&](const Sight& sight) {
-                const Body& seer = *model.findBody(sight.body.text);
-                return (seer.role == Role::fluid || seer.role == Role::elastic) &&
-                       std::any_of(sight.sees.begin(), sight.sees.end(),
-                                   [&](const Contact& c) { return c.body.text == wall.name; });
+void checkSeen(const model::Case& model, input::Diagnostics& diagnostics) {
+    for (const model::Body& wall : model.bodies) {
+        if (wall.role != bodies::Role::wall) continue;
+        const bool seen = std::any_of(
+            model.topology.begin(), model.topology.end(), [&](const model::Sight& sight) {
+                const model::Body& seer = *model.findBody(sight.body.text);
+                return (seer.role == bodies::Role::fluid || seer.role == bodies::Role::elastic) &&
+                       std::any_of(
+                           sight.sees.begin(), sight.sees.end(),
+                           [&](const model::Contact& c) { return c.body.text == wall.name; });
             });
         if (!seen)
             diagnostics.warning(wall.place, fmt::format("no fluid or elastic body sees {} in "
@@ -67,11 +69,12 @@ void checkSeen(const Case& model, input::Diagnostics& diagnostics) {
 }  // namespace
 
 template <int Dim>
-void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
+void checkWalls(const model::Case& model, const bodies::World<Dim>& world,
+                input::Diagnostics& diagnostics) {
     checkSeen(model, diagnostics);
     for (const auto& solid : world.bodies) {
         if (!solid->isSolid()) continue;
-        const sphinx::Body<Dim>* finest = nullptr;  // of the fluids that see it
+        const bodies::Body<Dim>* finest = nullptr;  // of the fluids that see it
         for (const auto& fluid : world.bodies)
             if (fluid->isFluid() &&
                 std::find(fluid->sees.begin(), fluid->sees.end(), solid.get()) !=
@@ -79,7 +82,7 @@ void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& 
                 (!finest || fluid->spacing < finest->spacing))
                 finest = fluid.get();
         if (!finest) continue;
-        const Body& source = *model.findBody(solid->name);
+        const model::Body& source = *model.findBody(solid->name);
         if (solid->spacing > finest->spacing * (1 + 1e-9))
             diagnostics.warning(
                 source.place,
@@ -91,7 +94,7 @@ void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& 
     }
 }
 
-template void checkWalls(const Case&, const World<2>&, input::Diagnostics&);
-template void checkWalls(const Case&, const World<3>&, input::Diagnostics&);
+template void checkWalls(const model::Case&, const bodies::World<2>&, input::Diagnostics&);
+template void checkWalls(const model::Case&, const bodies::World<3>&, input::Diagnostics&);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

@@ -6,12 +6,13 @@
 #include "case/model/model.h"
 #include "input/tree/diagnostics.h"
 
-namespace sphinx::model {
+namespace sphinx::check {
 
 /// Warns of solids through which a fluid that sees them may leak: rigid ones of fewer than three
 /// layers of particles, and any with a coarser spacing than the fluid; and of rigid bodies that
 /// nothing sees.
 template <int Dim>
-void checkWalls(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
+void checkWalls(const model::Case& model, const bodies::World<Dim>& world,
+                input::Diagnostics& diagnostics);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

@@ -4,20 +4,22 @@
 
 #include "case/language/rules.h"
 
-namespace sphinx::model {
+namespace sphinx::check {
 
 template <int Dim>
-void checkWorldRules(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics) {
-    BuiltCase<Dim> built{writtenCase(model, diagnostics), world};
-    for (const Component& method : model.dynamics)
-        if (const MethodBuilder* of = rulesOf(*method.declaration))
-            for (const WorldRule& rule : of->world_rules) rule.check(method, built);
+void checkWorldRules(const model::Case& model, const bodies::World<Dim>& world,
+                     input::Diagnostics& diagnostics) {
+    dynamics::BuiltCase<Dim> built{language::writtenCase(model, diagnostics), world};
+    for (const input::Component& method : model.dynamics)
+        if (const dynamics::MethodBuilder* of = language::rulesOf(*method.declaration))
+            for (const dynamics::WorldRule& rule : of->world_rules) rule.check(method, built);
     for (const std::string& name : model.registry->names(input::Kind::dynamics))
-        if (const MethodBuilder* of = rulesOf(*model.registry->find(input::Kind::dynamics, name)))
-            for (const CaseRule& rule : of->case_rules) rule.check(built);
+        if (const dynamics::MethodBuilder* of =
+                language::rulesOf(*model.registry->find(input::Kind::dynamics, name)))
+            for (const dynamics::CaseRule& rule : of->case_rules) rule.check(built);
 }
 
-template void checkWorldRules(const Case&, const World<2>&, input::Diagnostics&);
-template void checkWorldRules(const Case&, const World<3>&, input::Diagnostics&);
+template void checkWorldRules(const model::Case&, const bodies::World<2>&, input::Diagnostics&);
+template void checkWorldRules(const model::Case&, const bodies::World<3>&, input::Diagnostics&);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

@@ -6,10 +6,11 @@
 #include "case/model/model.h"
 #include "input/tree/diagnostics.h"
 
-namespace sphinx::model {
+namespace sphinx::check {
 
 /// Asks the rules that want the particles at the start (DeclaredMethod::worldRule, caseRule).
 template <int Dim>
-void checkWorldRules(const Case& model, const World<Dim>& world, input::Diagnostics& diagnostics);
+void checkWorldRules(const model::Case& model, const bodies::World<Dim>& world,
+                     input::Diagnostics& diagnostics);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::check

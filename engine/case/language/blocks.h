@@ -8,15 +8,15 @@
 #include "case/model/model.h"
 #include "input/declaration/registry.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 struct LineBlock {
-    Coordinates from, to;
+    input::Coordinates from, to;
     int points = 2;
 };
 
 struct AreaBlock {
-    Coordinates from;
+    input::Coordinates from;
     input::Table edges;
     std::vector<int> points;
 };
@@ -25,38 +25,38 @@ enum class BodyKind { fluid, solid, observer };
 
 struct BodyBlock {
     BodyKind kind = BodyKind::fluid;
-    Name shape;
-    Name material;
-    std::optional<BodyResolution> resolution;
-    std::optional<Initial> initial;
-    std::vector<std::pair<Name, Name>> parts;
+    input::Name shape;
+    input::Name material;
+    std::optional<model::BodyResolution> resolution;
+    std::optional<model::Initial> initial;
+    std::vector<std::pair<input::Name, input::Name>> parts;
     std::optional<input::Table> particles;
     std::optional<input::Table> points;
     std::optional<LineBlock> line;
     std::optional<AreaBlock> area;
-    std::optional<Follows> follows;
+    std::optional<model::Follows> follows;
 };
 
 /// An entry of `bodies`.
 struct NamedBody {
     std::string name;
-    Place place;
-    std::vector<std::pair<std::string, Place>> given;  ///< keys that were written
+    input::Place place;
+    std::vector<std::pair<std::string, input::Place>> given;  ///< keys that were written
     BodyBlock block;
     bool good = false;  ///< it was read without an error
 };
 
 struct ContactBlock {
-    Name body;  ///< "self", or a body
+    input::Name body;  ///< "self", or a body
     bool bonded = false;
 };
 
 struct OutputBlock {
-    std::optional<Every> every;
+    std::optional<input::Every> every;
 };
 
 /// An entry of `outputs`.
-struct NamedOutput : Component {
+struct NamedOutput : input::Component {
     OutputBlock block;
 };
 
@@ -68,15 +68,15 @@ struct CaseBlock {
     std::optional<input::UnitSystem> units = input::UnitSystem{};  ///< empty: none
     std::vector<std::string> include;  ///< already merged when the block is read
     input::Node variables;             ///< once read: those that the resolved case needs
-    Resolution resolution;
-    Domain domain;
+    model::Resolution resolution;
+    model::Domain domain;
     std::vector<NamedShape> geometry;
-    std::vector<Component> materials;
+    std::vector<input::Component> materials;
     std::vector<NamedBody> bodies;
-    std::vector<std::pair<Name, std::vector<ContactBlock>>> topology;
-    std::vector<Component> dynamics;
-    Loop loop;
+    std::vector<std::pair<input::Name, std::vector<ContactBlock>>> topology;
+    std::vector<input::Component> dynamics;
+    model::Loop loop;
     std::vector<NamedOutput> outputs;
 };
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -8,17 +8,17 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 /// The outputs of frames, where the loop sorts particles.
-std::vector<Place> framesOfSorted(const Case& model) {
-    const auto sorts = [&](const Component& method) {
+std::vector<input::Place> framesOfSorted(const model::Case& model) {
+    const auto sorts = [&](const input::Component& method) {
         return method.declaration->name() == "particles.sort" && model.calls(method.name);
     };
-    std::vector<Place> places;
+    std::vector<input::Place> places;
     if (!std::any_of(model.dynamics.begin(), model.dynamics.end(), sorts)) return places;
-    for (const Output& output : model.outputs) {
+    for (const model::Output& output : model.outputs) {
         const std::string& type = output.declaration->name();
         if (type == "vtu" || type == "vtkhdf" || type == "hdf5" || type == "tecplot")
             places.push_back(output.place);
@@ -27,17 +27,18 @@ std::vector<Place> framesOfSorted(const Case& model) {
 }
 
 /// Motions that turn or shear a rigid body.
-std::vector<Place> turnsOfWalls(const Case& model) {
-    std::vector<Place> places;
-    for (const Component& method : model.dynamics) {
+std::vector<input::Place> turnsOfWalls(const model::Case& model) {
+    std::vector<input::Place> places;
+    for (const input::Component& method : model.dynamics) {
         if (method.declaration->name() != "constraint.prescribed_motion" ||
             !model.calls(method.name))
             continue;
-        const auto& p = method.as<constraint::PrescribedMotionParameters>();
-        const Body* body = model.findBody(splitAction(p.part.text).first);
+        const auto& p = method.as<dynamics::constraint::PrescribedMotionParameters>();
+        const model::Body* body = model.findBody(model::splitAction(p.part.text).first);
         const bool turns = std::ranges::any_of(
             p.displacement, [](const input::FieldExpression& u) { return u.dependsOnPlace(); });
-        if (turns && body->role == Role::wall) places.push_back(method.placeOf("displacement"));
+        if (turns && body->role == bodies::Role::wall)
+            places.push_back(method.placeOf("displacement"));
     }
     return places;
 }
@@ -54,11 +55,11 @@ std::span<const LanguageChange> languageChanges() {
     return changes;
 }
 
-void warnChanges(const Case& model, int version, std::span<const LanguageChange> changes,
+void warnChanges(const model::Case& model, int version, std::span<const LanguageChange> changes,
                  input::Diagnostics& diagnostics) {
     for (const LanguageChange& change : changes) {
         if (change.version <= version) continue;
-        for (const Place& place : change.concerns(model))
+        for (const input::Place& place : change.concerns(model))
             diagnostics.warning(
                 place, fmt::format("since version {} of the language {}; 'sphinx: {}' in the case "
                                    "says that it means this",
@@ -66,7 +67,7 @@ void warnChanges(const Case& model, int version, std::span<const LanguageChange>
     }
 }
 
-int stateVersion(const Case& model, std::span<const LanguageChange> changes) {
+int stateVersion(const model::Case& model, std::span<const LanguageChange> changes) {
     int version = 1;
     for (const LanguageChange& change : changes)
         if (change.of_state && !change.concerns(model).empty())
@@ -74,4 +75,4 @@ int stateVersion(const Case& model, std::span<const LanguageChange> changes) {
     return version;
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

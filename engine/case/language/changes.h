@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 /// The version of the language that this program speaks: `sphinx: 2` in a case. It rises when an
 /// unchanged case would give another result than before; a new key or method leaves it as it is.
@@ -22,7 +22,7 @@ struct LanguageChange {
     /// Whether the state of a run is another one, and not only what is written of it.
     bool of_state = false;
     /// The places of a case that it concerns; none where the case means the same as before.
-    std::function<std::vector<Place>(const Case&)> concerns;
+    std::function<std::vector<input::Place>(const model::Case&)> concerns;
     std::string text;  ///< goes on after "since version N of the language "
 };
 
@@ -30,11 +30,11 @@ struct LanguageChange {
 std::span<const LanguageChange> languageChanges();
 
 /// Warns a case of an older version of each place that means something else now.
-void warnChanges(const Case& model, int version, std::span<const LanguageChange> changes,
+void warnChanges(const model::Case& model, int version, std::span<const LanguageChange> changes,
                  input::Diagnostics& diagnostics);
 
 /// The version since which the case means the same state: that of the newest change of the state
 /// that concerns it. A restart of an older program that says the same goes on.
-int stateVersion(const Case& model, std::span<const LanguageChange> changes);
+int stateVersion(const model::Case& model, std::span<const LanguageChange> changes);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

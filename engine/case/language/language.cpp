@@ -8,23 +8,23 @@
 
 #include <fmt/format.h>
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
 
 void registerKernels(Registry& registry) {
     struct NoParameters {};
-    const auto declare = [&](const char* name, KernelType type, const char* summary,
+    const auto declare = [&](const char* name, kernels::KernelType type, const char* summary,
                              const char* formula, const char* source) {
         auto& d = registry.declare<NoParameters>(Kind::kernel, name);
         d.summary(summary).formula(formula).cite(source).builder(type);
     };
-    declare("wendland_c2", KernelType::wendland_c2, "Wendland C2, reach 2h; does not pair up",
-            "(1 - q/2)^4 (2q + 1)", "Wendland 1995");
-    declare("cubic_spline", KernelType::cubic_spline, "Cubic spline (M4), reach 2h",
+    declare("wendland_c2", kernels::KernelType::wendland_c2,
+            "Wendland C2, reach 2h; does not pair up", "(1 - q/2)^4 (2q + 1)", "Wendland 1995");
+    declare("cubic_spline", kernels::KernelType::cubic_spline, "Cubic spline (M4), reach 2h",
             "((2 - q)^3 - 4 (1 - q)^3)/4 with positive parts", "Monaghan & Lattanzio 1985");
-    declare("quintic_spline", KernelType::quintic_spline, "Quintic spline (M6), reach 3h",
+    declare("quintic_spline", kernels::KernelType::quintic_spline, "Quintic spline (M6), reach 3h",
             "(3 - q)^5 - 6 (2 - q)^5 + 15 (1 - q)^5 with positive parts", "Morris, Fox & Zhu 1997");
 }
 
@@ -59,7 +59,7 @@ void declareUnits(Registry& registry) {
 }
 
 void declareResolution(Registry& registry) {
-    using P = Resolution;
+    using P = model::Resolution;
     auto& d = registry.declare<P>(Kind::block, "resolution");
     d.summary("Distance of the particles and what they see of each other");
     d.required("spacing", &P::spacing, number(unit::length).above(0),
@@ -70,7 +70,7 @@ void declareResolution(Registry& registry) {
 }
 
 void declareDomain(Registry& registry) {
-    using P = Domain;
+    using P = model::Domain;
     auto& d = registry.declare<P>(Kind::block, "domain");
     d.summary("Where particles may be");
     d.optional("lower", &P::lower, coordinates(unit::length),
@@ -78,12 +78,12 @@ void declareDomain(Registry& registry) {
     d.optional("upper", &P::upper, coordinates(unit::length),
                "corner of the largest coordinates; default: that of all shapes");
     d.optional("periodic", &P::periodic, axes(), "axes along which the domain repeats");
-    d.optional(
-        "lost_particles", &P::lost,
-        choice<LostParticles>({{"stop", LostParticles::stop, "the run ends with exit code 3"},
-                               {"remove", LostParticles::remove,
-                                "go on without it, counted in the mass balance; only of fluids"}}),
-        "what happens when a particle leaves the domain");
+    d.optional("lost_particles", &P::lost,
+               choice<bodies::LostParticles>(
+                   {{"stop", bodies::LostParticles::stop, "the run ends with exit code 3"},
+                    {"remove", bodies::LostParticles::remove,
+                     "go on without it, counted in the mass balance; only of fluids"}}),
+               "what happens when a particle leaves the domain");
     d.check("upper", [](const P& p, const UnitSystem& units) -> std::string {
         if (!p.lower || !p.upper) return "";
         for (int k = 0; k < p.lower->size; ++k)
@@ -97,7 +97,7 @@ void declareDomain(Registry& registry) {
 
 void declareBody(Registry& registry) {
     {
-        using P = BodyResolution;
+        using P = model::BodyResolution;
         auto& d = registry.declare<P>(Kind::block, "bodies.resolution");
         d.summary("Particle spacing of one body");
         d.optional("level", &P::level, integer().atLeast(0).atMost(10),
@@ -115,7 +115,7 @@ void declareBody(Registry& registry) {
         });
     }
     {
-        using P = Initial;
+        using P = model::Initial;
         auto& d = registry.declare<P>(Kind::block, "bodies.initial");
         d.summary("Values at the start, constants or expressions of x, y, z; otherwise zero");
         d.optional("velocity", &P::velocity, fieldVector(unit::velocity), "velocity");
@@ -156,9 +156,9 @@ void declareBody(Registry& registry) {
     const auto block = [&](const char* name) -> const Declaration& {
         return *registry.find(Kind::block, name);
     };
-    d.optional("resolution", &P::resolution, structure<BodyResolution>(block("bodies.resolution")),
-               "particle spacing");
-    d.optional("initial", &P::initial, structure<Initial>(block("bodies.initial")),
+    d.optional("resolution", &P::resolution,
+               structure<model::BodyResolution>(block("bodies.resolution")), "particle spacing");
+    d.optional("initial", &P::initial, structure<model::Initial>(block("bodies.initial")),
                "values at the start");
     d.optional("parts", &P::parts, mapOf(newName(), shapeReference()),
                "named sets of particles: those inside a shape");
@@ -166,15 +166,15 @@ void declareBody(Registry& registry) {
     d.optional("line", &P::line, structure<LineBlock>(block("bodies.line")), "observer: a line");
     d.optional("area", &P::area, structure<AreaBlock>(block("bodies.area")), "observer: an area");
     d.optional("follows", &P::follows,
-               choice<Follows>({{"space", Follows::space, "stays where it is"},
-                                {"material", Follows::material,
-                                 "moves with the particles nearest at its first row"}}),
+               choice<model::Follows>({{"space", model::Follows::space, "stays where it is"},
+                                       {"material", model::Follows::material,
+                                        "moves with the particles nearest at its first row"}}),
                "observer: whether it moves");
 }
 
 void declareLoop(Registry& registry) {
     {
-        using P = Step;
+        using P = model::Step;
         auto& d = registry.declare<P>(Kind::block, "run");
         d.summary("A line of the loop that does not act in every step");
         d.required("run", &P::run, actionReference(), "METHOD or METHOD.ACTION");
@@ -196,12 +196,13 @@ void declareLoop(Registry& registry) {
                                      *p.from, units.suffix(unit::time));
         });
     }
-    const auto fit = choice<Fit>(
-        {{"split", Fit::split, "equal substeps, none above the estimate"},
-         {"clip", Fit::clip, "estimates, the last one cut"},
-         {"overshoot", Fit::overshoot, "estimates; the parent's step becomes what was covered"}});
+    const auto fit =
+        choice<loop::Fit>({{"split", loop::Fit::split, "equal substeps, none above the estimate"},
+                           {"clip", loop::Fit::clip, "estimates, the last one cut"},
+                           {"overshoot", loop::Fit::overshoot,
+                            "estimates; the parent's step becomes what was covered"}});
     {
-        using P = Layer;
+        using P = model::Layer;
         auto& d = registry.declare<P>(Kind::block, "layer");
         d.summary("Covers the step of its parent layer with substeps");
         d.required("layer", &P::name, newName(), "name in logs and in the profile");
@@ -209,7 +210,7 @@ void declareLoop(Registry& registry) {
         d.optional("fit", &P::fit, fit, "how the substeps fill the parent's step");
         d.required("steps", &P::steps, list(step(registry)), "what a substep does, in order");
     }
-    using P = Loop;
+    using P = model::Loop;
     auto& d = registry.declare<P>(Kind::block, "loop");
     d.summary("What happens when: the outermost layer and what precedes it");
     d.optional("start_time", &P::start_time, number(unit::time), "time at the start");
@@ -263,16 +264,16 @@ void declareCase(Registry& registry) {
     d.optional("include", &P::include, list(text()),
                "files whose maps are merged into this one, which wins");
     d.optional("variables", &P::variables, variables(), "numbers for expressions");
-    d.required("resolution", &P::resolution, structure<Resolution>(block("resolution")),
+    d.required("resolution", &P::resolution, structure<model::Resolution>(block("resolution")),
                "spacing and kernel");
-    d.optional("domain", &P::domain, structure<Domain>(block("domain")), "bounds");
+    d.optional("domain", &P::domain, structure<model::Domain>(block("domain")), "bounds");
     d.optional("geometry", &P::geometry, namedShapes(), "named shapes");
     d.optional("materials", &P::materials, components(Kind::material), "named materials");
     d.required("bodies", &P::bodies, namedBodies(block("bodies")), "named bodies");
     d.optional("topology", &P::topology, mapOf(bodyReference(), list(contact())),
                "whose particles each body sees");
     d.optional("dynamics", &P::dynamics, components(Kind::dynamics), "named methods that can act");
-    d.required("loop", &P::loop, structure<Loop>(block("loop")), "what acts, and when");
+    d.required("loop", &P::loop, structure<model::Loop>(block("loop")), "what acts, and when");
     d.optional("outputs", &P::outputs, outputs(block("outputs")), "what is written");
 }
 
@@ -291,4 +292,4 @@ void registerCaseLanguage(Registry& registry) {
     declareCase(registry);
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/language/phases.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -41,21 +41,21 @@ std::vector<Coordinates> pointsOf(const AreaBlock& area) {
     return points;
 }
 
-Body makeBody(const NamedBody& named, const Component* material, int dimension) {
+model::Body makeBody(const NamedBody& named, const Component* material, int dimension) {
     const BodyBlock& block = named.block;
-    Body body;
+    model::Body body;
     body.name = named.name;
     body.place = named.place;
     body.role = roleOf(block.kind, material);
     body.shape = block.shape;
     body.material = block.material;
-    body.resolution = block.resolution.value_or(BodyResolution{});
-    body.initial = block.initial.value_or(Initial{});
-    body.follows = block.follows.value_or(Follows::space);
+    body.resolution = block.resolution.value_or(model::BodyResolution{});
+    body.initial = block.initial.value_or(model::Initial{});
+    body.follows = block.follows.value_or(model::Follows::space);
     for (const auto& [part, shape] : block.parts)
         body.parts.push_back({part.text, part.place, shape});
     if (block.particles) {
-        DirectParticles& direct = body.particles.emplace();
+        model::DirectParticles& direct = body.particles.emplace();
         for (const auto& row : block.particles->rows) {
             direct.points.push_back(pointOf(row, dimension));
             direct.volumes.push_back(row.back());
@@ -70,8 +70,8 @@ Body makeBody(const NamedBody& named, const Component* material, int dimension) 
 
 }  // namespace
 
-Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics) {
-    Case model;
+model::Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics) {
+    model::Case model;
     model.title = block.title;
     model.dimension = block.dimension;
     model.units = units;
@@ -83,10 +83,10 @@ Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& dia
         model.bodies.push_back(makeBody(
             body, findComponent(block.materials, body.block.material.text), block.dimension));
     for (const auto& [body, contacts] : block.topology) {
-        Sight& sight = model.topology.emplace_back();
+        model::Sight& sight = model.topology.emplace_back();
         sight.body = body;
         for (const ContactBlock& contact : contacts) {
-            Contact seen{contact.body, contact.bonded};
+            model::Contact seen{contact.body, contact.bonded};
             if (seen.body.text == "self") seen.body.text = body.text;
             sight.sees.push_back(std::move(seen));
         }
@@ -94,11 +94,11 @@ Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& dia
     model.dynamics = block.dynamics;
     model.loop = block.loop;
     for (const NamedOutput& output : block.outputs) {
-        Output& made = model.outputs.emplace_back();
+        model::Output& made = model.outputs.emplace_back();
         static_cast<Component&>(made) = output;
         made.every = output.block.every.value_or(Every{});
     }
     return model;
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

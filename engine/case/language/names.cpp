@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -21,9 +21,9 @@ Words namesOf(const Entries& entries) {
     return names;
 }
 
-void collectLayers(const Layer& layer, Words& names) {
+void collectLayers(const model::Layer& layer, Words& names) {
     names.push_back(layer.name.text);
-    for (const Step& step : layer.steps)
+    for (const model::Step& step : layer.steps)
         if (step.layer) collectLayers(*step.layer, names);
 }
 
@@ -42,7 +42,7 @@ class NameCheck {
         known_[Target::shape] = namesOf(block.geometry);
         known_[Target::method] = namesOf(block.dynamics);
         collectLayers(block.loop, known_[Target::layer]);
-        for (const FieldInfo* field : fields::all())
+        for (const particles::FieldInfo* field : fields::all())
             known_[Target::field].emplace_back(field->name);
         for (const auto& [target, key] : blocks)
             if (isSpoilt(root, key)) spoilt_.insert(target);
@@ -179,7 +179,7 @@ class NameCheck {
     }
 
     void checkPart(const Reference& reference) {
-        const auto [body_name, part] = splitAction(reference.name.text);
+        const auto [body_name, part] = model::splitAction(reference.name.text);
         if (!exists(reference, Target::body, body_name, "body")) return;
         checkTraits(reference, body_name);
         if (part.empty()) return;
@@ -217,7 +217,7 @@ class NameCheck {
     }
 
     void checkAction(const Reference& reference) {
-        const auto [name, action] = splitAction(reference.name.text);
+        const auto [name, action] = model::splitAction(reference.name.text);
         if (!exists(reference, Target::method, name, "method")) return;
         const Component* method = findComponent(block_.dynamics, name);
         if (!method->declaration) return;
@@ -256,19 +256,21 @@ const Component* findComponent(const std::vector<Component>& components, std::st
     return nullptr;
 }
 
-Role roleOf(BodyKind kind, const Component* material) {
+bodies::Role roleOf(BodyKind kind, const Component* material) {
     switch (kind) {
-        case BodyKind::fluid: return Role::fluid;
-        case BodyKind::observer: return Role::observer;
+        case BodyKind::fluid: return bodies::Role::fluid;
+        case BodyKind::observer: return bodies::Role::observer;
         case BodyKind::solid: break;
     }
     const bool elastic =
         material && material->declaration && material->declaration->hasTrait("elastic");
-    return elastic ? Role::elastic : Role::wall;
+    return elastic ? bodies::Role::elastic : bodies::Role::wall;
 }
 
-std::vector<std::string> bodyTraits(Role role, const Component* material) {
-    Words traits{role == Role::fluid ? "fluid" : role == Role::observer ? "observer" : "solid"};
+std::vector<std::string> bodyTraits(bodies::Role role, const Component* material) {
+    Words traits{role == bodies::Role::fluid      ? "fluid"
+                 : role == bodies::Role::observer ? "observer"
+                                                  : "solid"};
     if (!material || !material->declaration) return traits;
     for (const std::string& trait : material->declaration->traits())
         if (std::find(traits.begin(), traits.end(), trait) == traits.end()) traits.push_back(trait);
@@ -283,4 +285,4 @@ void checkNames(const CaseBlock& block, const Node& root, Reader& reader) {
     check.reportMissing();
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -7,7 +7,7 @@
 #include "case/language/blocks.h"
 #include "input/declaration/reader.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 /// Checks every reference: the named thing exists and is of the wanted kind; and that bodies are of
 /// a material for their kind. One mistake is told once, however many references follow it.
@@ -21,14 +21,15 @@ void checkSense(const CaseBlock& block, const input::UnitSystem& units,
 void warnUnused(const CaseBlock& block, const input::Reader& reader);
 
 /// The model of a block without errors; shapes are made here, which may report more.
-Case makeModel(const CaseBlock& block, const input::UnitSystem& units,
-               input::Diagnostics& diagnostics);
+model::Case makeModel(const CaseBlock& block, const input::UnitSystem& units,
+                      input::Diagnostics& diagnostics);
 
 /// nullptr when there is none.
-const Component* findComponent(const std::vector<Component>& components, std::string_view name);
+const input::Component* findComponent(const std::vector<input::Component>& components,
+                                      std::string_view name);
 /// What a body of that kind and material is to others.
-Role roleOf(BodyKind kind, const Component* material);
+bodies::Role roleOf(BodyKind kind, const input::Component* material);
 /// Words that a reference may ask of a body: its kind, its material's type and traits.
-std::vector<std::string> bodyTraits(Role role, const Component* material);
+std::vector<std::string> bodyTraits(bodies::Role role, const input::Component* material);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <filesystem>
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -48,7 +48,7 @@ void requireKnownVersion(const Node& root, Diagnostics& diagnostics) {
     diagnostics.throwIfErrors();
 }
 
-Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnostics) {
+model::Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnostics) {
     diagnostics.throwIfErrors();
     requireKnownVersion(root, diagnostics);
     Reader reader(diagnostics, registry);
@@ -64,7 +64,7 @@ Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnost
     placeDomain(root, block);
     checkSense(block, reader.units, diagnostics);
     diagnostics.throwIfErrors();
-    Case model = makeModel(block, reader.units, diagnostics);
+    model::Case model = makeModel(block, reader.units, diagnostics);
     diagnostics.throwIfErrors();
 
     model.registry = &registry;
@@ -85,22 +85,23 @@ Case interpret(const Node& root, const Registry& registry, Diagnostics& diagnost
 
 }  // namespace
 
-Case readCase(const std::string& path, const std::vector<std::string>& overrides,
-              const Registry& registry) {
+model::Case readCase(const std::string& path, const std::vector<std::string>& overrides,
+                     const Registry& registry) {
     Diagnostics diagnostics;
     const LoadedCase loaded = loadCase(path, overrides, named_blocks, diagnostics);
-    Case model = interpret(loaded.root, registry, diagnostics);
+    model::Case model = interpret(loaded.root, registry, diagnostics);
     model.path = path;
     model.sources = loaded.files;
     return model;
 }
 
-Case readCaseText(const std::string& name, const std::string& text, const Registry& registry) {
+model::Case readCaseText(const std::string& name, const std::string& text,
+                         const Registry& registry) {
     Diagnostics diagnostics;
     const LoadedCase loaded = loadText(name, text, {}, named_blocks, diagnostics);
-    Case model = interpret(loaded.root, registry, diagnostics);
+    model::Case model = interpret(loaded.root, registry, diagnostics);
     model.path = name;
     return model;
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 /// Declares the blocks of the language, the shapes and the kernels.
 void registerCaseLanguage(input::Registry& registry);
@@ -16,11 +16,11 @@ void registerCaseLanguage(input::Registry& registry);
 /// Reads and checks a case file without making particles. `overrides` are the values of --set,
 /// "path=YAML". Throws CaseError with all messages when the case is wrong, FileError when the file
 /// cannot be read.
-Case readCase(const std::string& path, const std::vector<std::string>& overrides,
-              const input::Registry& registry);
+model::Case readCase(const std::string& path, const std::vector<std::string>& overrides,
+                     const input::Registry& registry);
 
 /// The same for a text in memory, shown as `name` in messages.
-Case readCaseText(const std::string& name, const std::string& text,
-                  const input::Registry& registry);
+model::Case readCaseText(const std::string& name, const std::string& text,
+                         const input::Registry& registry);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

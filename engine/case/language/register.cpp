@@ -9,15 +9,15 @@
 #include "measure/register.h"
 #include "particles/register.h"
 
-namespace sphinx {
+namespace sphinx::language {
 
 void registerAll(input::Registry& registry) {
-    model::registerCaseLanguage(registry);
-    registerMaterials(registry);
-    registerDynamics(registry);
+    registerCaseLanguage(registry);
+    materials::registerMaterials(registry);
+    dynamics::registerDynamics(registry);
     io::registerOutputs(registry);
-    io::registerMeasures(registry);
-    registerFields(registry);
+    measure::registerMeasures(registry);
+    particles::registerFields(registry);
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::language

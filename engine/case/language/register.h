@@ -4,9 +4,9 @@
 
 #include "input/declaration/registry.h"
 
-namespace sphinx {
+namespace sphinx::language {
 
 /// Every declaration of the program. The registry must not move afterwards.
 void registerAll(input::Registry& registry);
 
-}  // namespace sphinx
+}  // namespace sphinx::language

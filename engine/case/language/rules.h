@@ -6,16 +6,16 @@
 #include "dynamics/declare.h"
 #include "input/tree/diagnostics.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 /// The rules of a declaration of Kind::dynamics; nullptr for a time step, which has none.
-const MethodBuilder* rulesOf(const input::Declaration& declaration);
+const dynamics::MethodBuilder* rulesOf(const input::Declaration& declaration);
 
 /// The case as rules see it. It refers to both.
-WrittenCase writtenCase(const Case& model, input::Diagnostics& diagnostics);
+dynamics::WrittenCase writtenCase(const model::Case& model, input::Diagnostics& diagnostics);
 
 /// Rules stand beside the methods, in their declarations: asks those about the case as it is
 /// written (DeclaredMethod::rule).
-void checkRules(const Case& model, input::Diagnostics& diagnostics);
+void checkRules(const model::Case& model, input::Diagnostics& diagnostics);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

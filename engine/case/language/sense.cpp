@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -31,7 +31,7 @@ class SenseCheck {
         for (const Component& method : block_.dynamics) checkSight(method);
         checkLayer(block_.loop);
         checkSteps(block_.loop.start, "start");
-        for (const Step& step : block_.loop.start) {
+        for (const model::Step& step : block_.loop.start) {
             if (step.every)
                 diagnostics_.error(step.run.place, "start happens once: 'every' has no meaning");
             if (step.window().limited())
@@ -171,14 +171,14 @@ class SenseCheck {
         return BodyKind::fluid;
     }
 
-    void checkLayer(const Layer& layer) {
+    void checkLayer(const model::Layer& layer) {
         if (!layers_.insert(layer.name.text).second)
             diagnostics_.error(layer.name.place, "there are two layers '" + layer.name.text + "'");
         if (layer.steps.empty())
             diagnostics_.error(layer.name.place,
                                "the layer '" + layer.name.text + "' has no steps");
         checkSteps(layer.steps, "");
-        for (const Step& step : layer.steps)
+        for (const model::Step& step : layer.steps)
             if (step.layer)
                 checkLayer(*step.layer);
             else {
@@ -186,8 +186,8 @@ class SenseCheck {
                 checkThroughout(step);
             }
     }
-    void checkThroughout(const Step& step) {
-        const auto [name, action] = splitAction(step.run.text);
+    void checkThroughout(const model::Step& step) {
+        const auto [name, action] = model::splitAction(step.run.text);
         const std::string key = step.every ? "every" : step.from ? "from" : "until";
         if (!step.every && !step.window().limited()) return;
         for (const Component& method : block_.dynamics) {
@@ -200,7 +200,7 @@ class SenseCheck {
                                    fmt::format("'{}' is not for {}: {}", key, step.run.text, why));
         }
     }
-    void checkWindow(const Step& step) {
+    void checkWindow(const model::Step& step) {
         const double start = block_.loop.start_time;
         if (step.from && *step.from < start)
             diagnostics_.error(step.run.place,
@@ -213,8 +213,8 @@ class SenseCheck {
                     "until is {0}{3} but must be above start_time, {1}{3}: {2} would never act",
                     *step.until, start, step.run.text, time_unit_));
     }
-    void checkSteps(const std::vector<Step>& steps, const std::string& where) {
-        for (const Step& step : steps) {
+    void checkSteps(const std::vector<model::Step>& steps, const std::string& where) {
+        for (const model::Step& step : steps) {
             if (step.layer && !where.empty())
                 diagnostics_.error(step.layer->name.place, "start has no layers");
             if (step.every && step.every->by == Every::By::wall_time)
@@ -236,4 +236,4 @@ void checkSense(const CaseBlock& block, const UnitSystem& units, Diagnostics& di
     SenseCheck(block, units, diagnostics).run();
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

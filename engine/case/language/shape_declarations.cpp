@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/language/shape_maker.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -239,4 +239,4 @@ void registerShapes(Registry& registry) {
     declareTransforms(registry);
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

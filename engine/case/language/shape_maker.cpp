@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 template <int Dim>
 geometry::ShapePointer<Dim> ShapeMaker<Dim>::make(const ShapeExpression& expression) {
@@ -73,13 +73,13 @@ std::vector<geometry::ShapePointer<Dim>> ShapeMaker<Dim>::operands(
 template class ShapeMaker<2>;
 template class ShapeMaker<3>;
 
-std::vector<Shape> buildShapes(const std::vector<NamedShape>& shapes, int dimension,
-                               input::Diagnostics& diagnostics) {
-    std::vector<Shape> built;
+std::vector<model::Shape> buildShapes(const std::vector<NamedShape>& shapes, int dimension,
+                                      input::Diagnostics& diagnostics) {
+    std::vector<model::Shape> built;
     ShapeMaker<2> maker2(shapes, diagnostics);
     ShapeMaker<3> maker3(shapes, diagnostics);
     for (const NamedShape& shape : shapes) {
-        Shape& result = built.emplace_back();
+        model::Shape& result = built.emplace_back();
         result.name = shape.name;
         result.place = shape.place;
         if (dimension == 2)
@@ -90,4 +90,4 @@ std::vector<Shape> buildShapes(const std::vector<NamedShape>& shapes, int dimens
     return built;
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 /// Turns expressions into shapes; a named shape is made once.
 template <int Dim>
@@ -38,4 +38,4 @@ struct ShapeBuilder {
     std::function<geometry::ShapePointer<3>(const void* parameters, ShapeMaker<3>&)> in3d;
 };
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -6,7 +6,7 @@
 #include "input/declaration/schema.h"
 #include "input/tree/suggest.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -123,4 +123,4 @@ Type<std::vector<NamedShape>> namedShapes() {
     return Type<std::vector<NamedShape>>(std::make_shared<NamedShapesType>());
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -8,20 +8,20 @@
 
 #include <map>
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 /// A shape as written: the name of an entry of `geometry`, or an inline one-key map.
 struct ShapeExpression {
-    Name reference;  ///< set, or:
+    input::Name reference;  ///< set, or:
     const input::Declaration* declaration = nullptr;
     std::shared_ptr<const void> parameters;
-    Place place;
+    input::Place place;
 };
 
 /// The block `geometry`, not yet built.
 struct NamedShape {
     std::string name;
-    Place place;
+    input::Place place;
     std::shared_ptr<const ShapeExpression> expression;
 };
 
@@ -34,7 +34,7 @@ input::Type<std::vector<NamedShape>> namedShapes();
 void registerShapes(input::Registry& registry);
 
 /// Makes the shapes of a case; whatever cannot be made is reported at its place.
-std::vector<Shape> buildShapes(const std::vector<NamedShape>& shapes, int dimension,
-                               input::Diagnostics& diagnostics);
+std::vector<model::Shape> buildShapes(const std::vector<NamedShape>& shapes, int dimension,
+                                      input::Diagnostics& diagnostics);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

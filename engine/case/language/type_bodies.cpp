@@ -5,7 +5,7 @@
 #include "input/declaration/reader.h"
 #include "input/declaration/schema.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -106,4 +106,4 @@ Type<std::vector<NamedBody>> namedBodies(const Declaration& body) {
 }
 Type<ContactBlock> contact() { return Type<ContactBlock>(std::make_shared<ContactType>()); }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

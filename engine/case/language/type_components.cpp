@@ -6,7 +6,7 @@
 #include "input/declaration/schema.h"
 #include "input/tree/suggest.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -89,7 +89,7 @@ class ComponentsType final : public TypeBase {
                                 "unknown type " + describeNode(*type) +
                                     didYouMean(type->text, reader.registry.names(kind_)));
         std::shared_ptr<void> parameters = component.declaration->makeParameters();
-        std::vector<input::Part> parts{{component.declaration, parameters.get()}};
+        std::vector<input::DeclaredStruct> parts{{component.declaration, parameters.get()}};
         if (common_) parts.push_back({common_, entries_.common(item)});
         good = readParameters(entry.value, entry.place, reader, parts, {"type"}) && good;
         component.parameters = std::move(parameters);
@@ -120,4 +120,4 @@ Type<std::vector<NamedOutput>> outputs(const Declaration& common) {
         std::make_shared<ComponentsType>(Kind::output, &common, entries));
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -57,7 +57,7 @@ class EveryType final : public TypeBase {
 class TimeStepType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        auto& dt = *static_cast<TimeStep*>(out);
+        auto& dt = *static_cast<model::TimeStep*>(out);
         dt = {};
         if (!node.isList()) return readOne(node, reader, dt);
         bool good = true;
@@ -66,7 +66,7 @@ class TimeStepType final : public TypeBase {
         return good;
     }
     Node write(const void* value, const Node* source) const override {
-        const auto& dt = *static_cast<const TimeStep*>(value);
+        const auto& dt = *static_cast<const model::TimeStep*>(value);
         const Place place = source ? source->place : Place{};
         Node list = Node::list().at(place);
         for (const Name& method : dt.methods) list.add(Node::plain(method.text).at(place));
@@ -89,7 +89,7 @@ class TimeStepType final : public TypeBase {
     }
 
  private:
-    static bool readOne(const Node& node, Reader& reader, TimeStep& dt) {
+    static bool readOne(const Node& node, Reader& reader, model::TimeStep& dt) {
         // A word that names no variable is a method; its spelling is checked with the names.
         const bool word = node.isScalar() && !node.text.empty() &&
                           std::all_of(node.text.begin(), node.text.end(),
@@ -116,13 +116,13 @@ class TimeStepType final : public TypeBase {
 class StepType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        auto& step = *static_cast<Step*>(out);
+        auto& step = *static_cast<model::Step*>(out);
         const auto block = [&](const char* name) {
             return reader.registry.find(Kind::block, name);
         };
         if (node.isScalar()) return actionReference().base()->read(node, reader, &step.run);
         if (node.find("layer")) {
-            step.layer = std::make_shared<Layer>();
+            step.layer = std::make_shared<model::Layer>();
             const Label label(reader, node.find("layer")->text);
             return readParameters(node, node.place, reader, {{block("layer"), step.layer.get()}});
         }
@@ -136,7 +136,7 @@ class StepType final : public TypeBase {
             "every: ..., from: ..., until: ...} or {layer: NAME, dt: ..., steps: [...]}");
     }
     Node write(const void* value, const Node* source) const override {
-        const auto& step = *static_cast<const Step*>(value);
+        const auto& step = *static_cast<const model::Step*>(value);
         const Place place = source ? source->place : Place{};
         if (step.layer) return writeStructure(*registryBlock("layer"), step.layer.get(), source);
         if (!step.every && !step.window().limited()) return Node::plain(step.run.text).at(place);
@@ -201,9 +201,9 @@ void declareEvery(Registry& registry) {
 Type<Every> every(const Registry& registry) {
     return Type<Every>(std::make_shared<EveryType>(*registry.find(Kind::block, "every")));
 }
-Type<TimeStep> timeStep() { return Type<TimeStep>(std::make_shared<TimeStepType>()); }
-Type<Step> step(const Registry& registry) {
-    return Type<Step>(std::make_shared<StepType>(registry));
+Type<model::TimeStep> timeStep() { return Type<model::TimeStep>(std::make_shared<TimeStepType>()); }
+Type<model::Step> step(const Registry& registry) {
+    return Type<model::Step>(std::make_shared<StepType>(registry));
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -6,7 +6,7 @@
 #include "input/declaration/schema.h"
 #include "input/tree/suggest.h"
 
-namespace sphinx::model {
+namespace sphinx::language {
 namespace {
 
 using namespace input;
@@ -21,13 +21,13 @@ class KernelNameType final : public TypeBase {
         if (!kernel)
             return reader.error(node, "there is no kernel " + describeNode(node) +
                                           didYouMean(node.text, registry_.names(Kind::kernel)));
-        *static_cast<KernelType*>(out) = kernel->builder<KernelType>();
+        *static_cast<kernels::KernelType*>(out) = kernel->builder<kernels::KernelType>();
         return true;
     }
     Node write(const void* value, const Node* source) const override {
         for (const std::string& name : registry_.names(Kind::kernel))
-            if (registry_.find(Kind::kernel, name)->builder<KernelType>() ==
-                *static_cast<const KernelType*>(value))
+            if (registry_.find(Kind::kernel, name)->builder<kernels::KernelType>() ==
+                *static_cast<const kernels::KernelType*>(value))
                 return Node::plain(name).at(source ? source->place : Place{});
         return {};
     }
@@ -101,8 +101,8 @@ class EffectType final : public TypeBase {
 
 }  // namespace
 
-Type<KernelType> kernel(const Registry& registry) {
-    return Type<KernelType>(std::make_shared<KernelNameType>(registry));
+Type<kernels::KernelType> kernel(const Registry& registry) {
+    return Type<kernels::KernelType>(std::make_shared<KernelNameType>(registry));
 }
 Type<Node> variables() { return Type<Node>(std::make_shared<VariablesType>()); }
 
@@ -111,4 +111,4 @@ std::shared_ptr<const TypeBase> withEffect(std::shared_ptr<const TypeBase> type,
     return std::make_shared<EffectType>(std::move(type), std::move(effect));
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

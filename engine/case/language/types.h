@@ -8,25 +8,25 @@
 
 #include <functional>
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 /// {time: T} | {steps: N, layer: NAME} | {wall_time: 30 min}, as the block `every` declares it.
 void declareEvery(input::Registry& registry);
-input::Type<Every> every(const input::Registry& registry);
+input::Type<input::Every> every(const input::Registry& registry);
 
 /// Entries of a block whose `type` is chosen from the registry.
-input::Type<std::vector<Component>> components(input::Kind kind);
+input::Type<std::vector<input::Component>> components(input::Kind kind);
 /// The same with the keys that all outputs share.
 input::Type<std::vector<NamedOutput>> outputs(const input::Declaration& common);
 input::Type<std::vector<NamedBody>> namedBodies(const input::Declaration& body);
 
 input::Type<ContactBlock> contact();
-input::Type<TimeStep> timeStep();
+input::Type<model::TimeStep> timeStep();
 /// A line of the loop; uses the blocks `layer` and `run`.
-input::Type<Step> step(const input::Registry& registry);
+input::Type<model::Step> step(const input::Registry& registry);
 
 /// The name of a kernel of the registry.
-input::Type<KernelType> kernel(const input::Registry& registry);
+input::Type<kernels::KernelType> kernel(const input::Registry& registry);
 /// The variables of the case: defines them in the reader's scope.
 input::Type<input::Node> variables();
 
@@ -35,4 +35,4 @@ std::shared_ptr<const input::TypeBase> withEffect(
     std::shared_ptr<const input::TypeBase> type,
     std::function<void(input::Reader&, const void* value)> effect);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-namespace sphinx::model {
+namespace sphinx::language {
 
 using input::Reference;
 using input::Target;
@@ -16,10 +16,10 @@ void warnUnused(const CaseBlock& block, const input::Reader& reader) {
     for (const Reference& reference : reader.references) {
         const bool action = reference.target == Target::action;
         used.emplace(action ? Target::method : reference.target,
-                     action ? splitAction(reference.name.text).first : reference.name.text);
+                     action ? model::splitAction(reference.name.text).first : reference.name.text);
     }
     const auto warn = [&](Target target, const char* what, const std::string& name,
-                          const Place& place) {
+                          const input::Place& place) {
         const bool included = place.source && place.source->order != 0;
         if (!included && !used.contains({target, name}))
             reader.diagnostics.warning(
@@ -27,10 +27,10 @@ void warnUnused(const CaseBlock& block, const input::Reader& reader) {
     };
     for (const NamedShape& shape : block.geometry)
         warn(Target::shape, "shape", shape.name, shape.place);
-    for (const Component& material : block.materials)
+    for (const input::Component& material : block.materials)
         warn(Target::material, "material", material.name, material.place);
-    for (const Component& method : block.dynamics)
+    for (const input::Component& method : block.dynamics)
         warn(Target::method, "method", method.name, method.place);
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::language

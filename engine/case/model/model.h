@@ -31,13 +31,13 @@ using input::Place;
 struct Resolution {
     double spacing = 0;            ///< reference spacing dp, length
     double smoothing_ratio = 1.3;  ///< h / dp
-    KernelType kernel = KernelType::wendland_c2;
+    kernels::KernelType kernel = kernels::KernelType::wendland_c2;
 };
 
 struct Domain {
     std::optional<Coordinates> lower, upper;  ///< without: the bounds of all shapes
     std::vector<int> periodic;                ///< axes, 0 is x
-    LostParticles lost = LostParticles::stop;
+    bodies::LostParticles lost = bodies::LostParticles::stop;
     Place place;  ///< without source: there was no such block
 };
 
@@ -87,7 +87,7 @@ struct DirectParticles {
 struct Body {
     std::string name;
     Place place;
-    Role role = Role::observer;
+    bodies::Role role = bodies::Role::observer;
     Name shape;     ///< empty for observers and bodies of direct particles
     Name material;  ///< empty for observers
     BodyResolution resolution;

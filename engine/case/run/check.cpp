@@ -17,7 +17,7 @@
 #include <numbers>
 #include <system_error>
 
-namespace sphinx::model {
+namespace sphinx::run {
 namespace {
 
 std::string sizeText(double bytes) {
@@ -30,7 +30,7 @@ std::string sizeText(double bytes) {
 
 /// Neighbors of a particle inside of a body, from the volume of the kernel's support.
 template <int Dim>
-double expectedNeighbors(const sphinx::Body<Dim>& from, const sphinx::Body<Dim>& to) {
+double expectedNeighbors(const bodies::Body<Dim>& from, const bodies::Body<Dim>& to) {
     const double r = std::max(from.kernel.cutoff(), to.kernel.cutoff()) / to.spacing;
     return Dim == 2 ? std::numbers::pi * r * r : 4.0 / 3.0 * std::numbers::pi * r * r * r;
 }
@@ -38,15 +38,15 @@ double expectedNeighbors(const sphinx::Body<Dim>& from, const sphinx::Body<Dim>&
 /// Particles, lists and the packed state of the acoustic step. Of other bodies than itself a body
 /// sees only what is near their common surface, which is left out.
 template <int Dim>
-double memory(const World<Dim>& world) {
+double memory(const bodies::World<Dim>& world) {
     double sum = 0;
     for (const auto& body : world.bodies) {
         const auto n = static_cast<double>(body->size());
         sum += static_cast<double>(body->particles.bytes()) + 64 * n;
         const std::size_t block =  // of eight: gradient, weight, indices
-            body->isElastic()
-                ? (Dim + 1) * sizeof(typename ReferenceList<Dim>::Lane) + lane_count * sizeof(Index)
-                : sizeof(typename NeighborList<Dim>::Block);
+            body->isElastic() ? (Dim + 1) * sizeof(typename neighbors::ReferenceList<Dim>::Lane) +
+                                    lane_count * sizeof(Index)
+                              : sizeof(typename neighbors::NeighborList<Dim>::Block);
         for (const auto* other : body->sees)
             if (other == body.get())
                 sum += n * expectedNeighbors(*body, *other) * 1.25 / lane_count *
@@ -76,15 +76,15 @@ void printLayer(const loop::Layer& layer, int depth, const std::string& time_uni
 }
 
 /// Writes of the whole run, with those at the start and at the end.
-std::optional<double> writes(const Case& model, const Every& every) {
+std::optional<double> writes(const model::Case& model, const input::Every& every) {
     const double span = model.loop.end_time - model.loop.start_time;
-    if (every.by == Every::By::time) return std::floor(span / every.time) + 2;
-    if (every.by == Every::By::ends) return 2;
+    if (every.by == input::Every::By::time) return std::floor(span / every.time) + 2;
+    if (every.by == input::Every::By::ends) return 2;
     return {};
 }
 
-std::string everyText(const Every& every) {
-    if (every.by == Every::By::steps)
+std::string everyText(const input::Every& every) {
+    if (every.by == input::Every::By::steps)
         return fmt::format("every {} steps{}", every.steps,
                            every.layer.empty() ? "" : " of " + every.layer.text);
     return fmt::format("every {:g} s on the clock on the wall", every.wall_seconds);
@@ -93,14 +93,14 @@ std::string everyText(const Every& every) {
 /// The outputs, how often they write and how much at most: the files are compressed, and what did
 /// not change is not written again.
 template <int Dim>
-std::string outputsText(const Case& model, const Outputs<Dim>& outputs,
+std::string outputsText(const model::Case& model, const build::Outputs<Dim>& outputs,
                         input::Diagnostics& diagnostics) {
     std::string text = "outputs\n";
     double sum = 0;
     double most = 0;
-    Place place;  // of the output that writes most
+    input::Place place;  // of the output that writes most
     for (std::size_t k = 0; k < model.outputs.size(); ++k) {
-        const Output& source = model.outputs[k];
+        const model::Output& source = model.outputs[k];
         double bytes = 0;
         for (const OutputFile& file : outputs.entries()[k].output->files()) bytes += file.bytes;
         const std::optional<double> times = writes(model, source.every);
@@ -123,19 +123,19 @@ std::string outputsText(const Case& model, const Outputs<Dim>& outputs,
 }
 
 template <int Dim>
-CheckReport check(const Case& model) {
+CheckReport check(const model::Case& model) {
     input::Diagnostics diagnostics;
-    const PlacedFacts placed = loopFacts(model);
-    checkLoop(placed, diagnostics);
-    const auto world = buildWorld<Dim>(model, true, diagnostics);
+    const build::PlacedFacts placed = build::loopFacts(model);
+    build::checkLoop(placed, diagnostics);
+    const auto world = build::buildWorld<Dim>(model, true, diagnostics);
     diagnostics.throwIfErrors();
-    Relations<Dim> relations(*world);
-    Context<Dim> context{*world, relations};
-    Methods<Dim> methods(model, context);
-    bindPlan<Dim>(placed.facts.plan, model, *world, methods);
+    neighbors::Relations<Dim> relations(*world);
+    dynamics::Context<Dim> context{*world, relations};
+    build::Methods<Dim> methods(model, context);
+    build::bindPlan<Dim>(placed.facts.plan, model, *world, methods);
     io::RestartHeader header;
     header.case_name = caseName(model);
-    const Outputs<Dim> outputs(
+    const build::Outputs<Dim> outputs(
         {model, *world, relations, {}, {}, {}, methods.all(), header, {}, {}}, true);
 
     std::string out = "bodies\n";
@@ -154,8 +154,8 @@ CheckReport check(const Case& model) {
 
 }  // namespace
 
-CheckReport checkCase(const Case& model) {
+CheckReport checkCase(const model::Case& model) {
     return model.dimension == 2 ? check<2>(model) : check<3>(model);
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

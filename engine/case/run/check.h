@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// What there is to know before a run.
 struct CheckReport {
@@ -16,6 +16,6 @@ struct CheckReport {
 };
 
 /// Everything but stepping: makes the particles and checks the loop. Throws CaseError.
-CheckReport checkCase(const Case& model);
+CheckReport checkCase(const model::Case& model);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/run/failed_state.h"
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 template <int Dim>
-void writeFailedState(const World<Dim>& world, const Clock& clock,
+void writeFailedState(const bodies::World<Dim>& world, const Clock& clock,
                       const io::VtuParameters& parameters) {
     io::makeFolder(parameters.folder);
     std::vector<io::BodyFrames<Dim>> frames;
@@ -20,7 +20,7 @@ void writeFailedState(const World<Dim>& world, const Clock& clock,
     io::VtuOutput<Dim>(parameters, frames).write(clock);
 }
 
-template void writeFailedState(const World<2>&, const Clock&, const io::VtuParameters&);
-template void writeFailedState(const World<3>&, const Clock&, const io::VtuParameters&);
+template void writeFailedState(const bodies::World<2>&, const Clock&, const io::VtuParameters&);
+template void writeFailedState(const bodies::World<3>&, const Clock&, const io::VtuParameters&);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

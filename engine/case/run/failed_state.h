@@ -6,12 +6,12 @@
 #include "core/clock.h"
 #include "io/frames/vtu.h"
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// All fields of all bodies as one VTU frame in the folder of `parameters`, to look for the reason
 /// of a failure. Throws FileError.
 template <int Dim>
-void writeFailedState(const World<Dim>& world, const Clock& clock,
+void writeFailedState(const bodies::World<Dim>& world, const Clock& clock,
                       const io::VtuParameters& parameters);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

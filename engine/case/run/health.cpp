@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx::model {
+namespace sphinx::run {
 namespace {
 
 /// Above this part of the sound speed the density changes by more than a percent.
@@ -21,8 +21,8 @@ constexpr std::int64_t steps_between_places = 16;
 
 void collectWriters(const loop::Line& line,
                     std::map<std::pair<std::string, std::string>, std::string>& writers) {
-    for (const FieldAccess& access : line.accesses)
-        if (changes(access.mode)) writers[{access.body, access.field}] = line.label;
+    for (const dynamics::FieldAccess& access : line.accesses)
+        if (input::changes(access.mode)) writers[{access.body, access.field}] = line.label;
 }
 
 void collectWriters(const loop::Layer& layer,
@@ -38,12 +38,12 @@ struct Extremes {
 };
 
 template <int Dim>
-bool moves(const sphinx::Body<Dim>& body) {
+bool moves(const bodies::Body<Dim>& body) {
     return body.isFluid() || body.isElastic();
 }
 
 template <int Dim>
-Extremes extremes(const sphinx::Body<Dim>& body) {
+Extremes extremes(const bodies::Body<Dim>& body) {
     const auto& velocity = body.particles.vector(fields::velocity);
     const auto& density = body.particles.scalar(fields::density);
     const double rho0 = body.material()->density();
@@ -71,7 +71,7 @@ Extremes extremes(const sphinx::Body<Dim>& body) {
 }  // namespace
 
 template <int Dim>
-Health<Dim>::Health(const World<Dim>& world, const loop::LoopFacts& facts) : world_(world) {
+Health<Dim>::Health(const bodies::World<Dim>& world, const loop::LoopFacts& facts) : world_(world) {
     collectWriters(facts.plan.outermost, last_writer_);
     remember();
 }
@@ -89,7 +89,7 @@ void Health<Dim>::remember() {
 }
 
 template <int Dim>
-std::string Health<Dim>::lastPlace(const sphinx::Body<Dim>& body,
+std::string Health<Dim>::lastPlace(const bodies::Body<Dim>& body,
                                    const std::vector<std::int64_t>& ids) const {
     const Last& last = last_.at(body.name);
     Box<Dim> box;
@@ -108,7 +108,7 @@ void Health<Dim>::check(const Clock& clock) {
         const Extremes e = extremes(*body);
         if (!e.finite) fail(*body, clock);
         if (!body->isFluid()) continue;
-        const Fluid& fluid = *body->fluid().material;
+        const materials::Fluid& fluid = *body->fluid().material;
         const double speed = std::sqrt(e.speed2);
         if (speed > speed_limit * fluid.soundSpeed() && !warned_speed_[body->name]) {
             warned_speed_[body->name] = true;
@@ -131,10 +131,10 @@ void Health<Dim>::check(const Clock& clock) {
 }
 
 template <int Dim>
-std::vector<std::int64_t> Health<Dim>::spoilt(const sphinx::Body<Dim>& body,
-                                              const FieldInfo& info) {
+std::vector<std::int64_t> Health<Dim>::spoilt(const bodies::Body<Dim>& body,
+                                              const particles::FieldInfo& info) {
     std::vector<std::int64_t> ids;
-    const FieldBase* field = body.particles.find(info.name);
+    const particles::FieldBase* field = body.particles.find(info.name);
     if (!field) return ids;
     const auto width = static_cast<std::size_t>(field->components());
     const std::int64_t* id = body.particles.find(fields::id.name)->integers();
@@ -148,9 +148,9 @@ std::vector<std::int64_t> Health<Dim>::spoilt(const sphinx::Body<Dim>& body,
 }
 
 template <int Dim>
-void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const {
+void Health<Dim>::fail(const bodies::Body<Dim>& body, const Clock& clock) const {
     // Particles spoil their neighbors: the field that fewest have lost is the closest to the cause.
-    const FieldInfo* info = &fields::density;
+    const particles::FieldInfo* info = &fields::density;
     std::vector<std::int64_t> ids = spoilt(body, *info);
     std::vector<std::int64_t> others = spoilt(body, fields::velocity);
     if (ids.empty() || (!others.empty() && others.size() < ids.size())) {
@@ -173,4 +173,4 @@ void Health<Dim>::fail(const sphinx::Body<Dim>& body, const Clock& clock) const 
 template class Health<2>;
 template class Health<3>;
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// Looks at the particles after every outermost step: stops a run in which a number stopped being
 /// one, and warns once per body of speeds and densities that the method is not made for.
 template <int Dim>
 class Health {
  public:
-    Health(const World<Dim>& world, const loop::LoopFacts& facts);
+    Health(const bodies::World<Dim>& world, const loop::LoopFacts& facts);
 
     /// Throws PhysicsError that names particles, position, method and time.
     void check(const Clock& clock);
@@ -31,18 +31,19 @@ class Health {
 
     void remember();
     /// Ids of the particles whose value of the field is not finite.
-    static std::vector<std::int64_t> spoilt(const sphinx::Body<Dim>& body, const FieldInfo& info);
+    static std::vector<std::int64_t> spoilt(const bodies::Body<Dim>& body,
+                                            const particles::FieldInfo& info);
     /// Where particles were when they were looked at last: ", last seen at (1, 2)," or, of several,
     /// in what box. Empty for particles that were not there.
-    std::string lastPlace(const sphinx::Body<Dim>& body,
+    std::string lastPlace(const bodies::Body<Dim>& body,
                           const std::vector<std::int64_t>& ids) const;
-    [[noreturn]] void fail(const sphinx::Body<Dim>& body, const Clock& clock) const;
+    [[noreturn]] void fail(const bodies::Body<Dim>& body, const Clock& clock) const;
 
-    const World<Dim>& world_;
+    const bodies::World<Dim>& world_;
     std::map<std::string, Last> last_;
     std::map<std::pair<std::string, std::string>, std::string> last_writer_;  // by body and field
     std::map<std::string, bool> warned_speed_;
     std::map<std::string, bool> warned_density_;
 };
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 struct RunOptions {
     std::string output;  ///< results folder; empty: output/NAME below the present folder
@@ -17,4 +17,4 @@ struct RunOptions {
     bool outputs = true;               ///< false: nothing but the log is written
 };
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

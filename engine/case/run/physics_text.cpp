@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::run {
 namespace {
 
 void drop(input::Node& map, std::string_view key) {
@@ -16,12 +16,12 @@ void drop(input::Node& map, std::string_view key) {
 }
 
 /// Observers look at the particles, which do not feel them.
-void dropObservers(input::Node& resolved, const Case& model) {
+void dropObservers(input::Node& resolved, const model::Case& model) {
     for (const char* block : {"bodies", "topology"}) {
         input::Node* map = resolved.find(block);
         if (!map) continue;
-        for (const Body& body : model.bodies)
-            if (body.role == Role::observer) drop(*map, body.name);
+        for (const model::Body& body : model.bodies)
+            if (body.role == bodies::Role::observer) drop(*map, body.name);
         if (map->entries.empty()) drop(resolved, block);
     }
 }
@@ -47,7 +47,7 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 }  // namespace
 
-std::string physicsText(const Case& model) {
+std::string physicsText(const model::Case& model) {
     input::Node resolved = model.resolved;
     // Of the variables only those are left that expressions of place and time use.
     for (const char* key : {"title", "outputs", "include"}) drop(resolved, key);
@@ -93,4 +93,4 @@ std::string difference(const std::string& before, const std::string& after, std:
     return text;
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

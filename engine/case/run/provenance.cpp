@@ -8,7 +8,7 @@
 #include <ctime>
 #include <fstream>
 
-namespace sphinx {
+namespace sphinx::run {
 namespace {
 
 std::string processor() {
@@ -63,4 +63,4 @@ io::Provenance makeProvenance(int threads) {
     }};
 }
 
-}  // namespace sphinx
+}  // namespace sphinx::run

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace sphinx {
+namespace sphinx::run {
 
 std::string programVersion();  ///< "0.1.0"
 std::string programCommit();   ///< of the sources, with "+changes" when they differ; or "unknown"
@@ -16,4 +16,4 @@ std::string instructionSet();
 /// Where results of this run come from, for every result file.
 io::Provenance makeProvenance(int threads);
 
-}  // namespace sphinx
+}  // namespace sphinx::run

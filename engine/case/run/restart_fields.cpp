@@ -5,14 +5,14 @@
 #include "loop/flow/live_fields.h"
 #include "particles/fields.h"
 
-namespace sphinx::model {
+namespace sphinx::run {
 namespace {
 
 using FieldsOfBodies = std::map<std::string, std::set<std::string>>;
 
 void collectWrites(const loop::Line& line, FieldsOfBodies& to) {
-    for (const FieldAccess& access : line.accesses)
-        if (changes(access.mode)) to[access.body].insert(access.field);
+    for (const dynamics::FieldAccess& access : line.accesses)
+        if (input::changes(access.mode)) to[access.body].insert(access.field);
 }
 
 void collectWrites(const loop::Layer& layer, FieldsOfBodies& always, FieldsOfBodies& sometimes) {
@@ -45,4 +45,4 @@ FieldsOfBodies restartFields(const loop::LoopFacts& facts) {
     return result;
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// Fields that a restart holds, by body: those that the loop reads before it writes them anew, and
 /// those that only outputs read and that no line writes in every outermost step (initial values,
@@ -16,4 +16,4 @@ namespace sphinx::model {
 /// belong to it.
 std::map<std::string, std::set<std::string>> restartFields(const loop::LoopFacts& facts);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
-namespace sphinx::model {
+namespace sphinx::run {
 namespace {
 
 /// Absolute and without links, as far as the path exists.
@@ -65,4 +65,4 @@ void requireOutside(const std::vector<io::Path>& files, const io::Path& folder) 
     }
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

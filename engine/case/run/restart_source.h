@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// The restart that a run goes on from.
 struct RestartSource {
@@ -25,4 +25,4 @@ void requireSamePhysics(const io::Path& file, const io::RestartHeader& theirs,
 /// Throws FileError when the folder, about to be emptied, holds one of the files.
 void requireOutside(const std::vector<io::Path>& files, const io::Path& folder);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -18,7 +18,7 @@
 #include <csignal>
 #include <filesystem>
 
-namespace sphinx::model {
+namespace sphinx::run {
 namespace {
 
 /// Drives a simulation to its end, or to where a signal or the time limit stops it, and tells of
@@ -26,7 +26,7 @@ namespace {
 template <int Dim>
 class Run {
  public:
-    Run(const Case& model, const RunOptions& options, const io::Path& folder,
+    Run(const model::Case& model, const RunOptions& options, const io::Path& folder,
         const io::Provenance& provenance)
         : model_(model),
           options_(options),
@@ -96,7 +96,7 @@ class Run {
     /// Particles that lost_particles: remove took since the first start of the run.
     void tellRemoved() {
         for (const auto& body : world().bodies) {
-            const ParticleSet<Dim>& particles = body->particles;
+            const particles::ParticleSet<Dim>& particles = body->particles;
             const auto removed = particles.nextId() - static_cast<std::int64_t>(particles.size());
             if (removed > 0)
                 log::info(fmt::format("{}: {} particles left the domain and were removed",
@@ -118,8 +118,8 @@ class Run {
         if (!options_.outputs) return;
         const io::Path folder = folder_ / "failed";
         try {
-            model::writeFailedState(world(), simulation_.clock(),
-                                    {folder, false, model_.units, provenance_});
+            run::writeFailedState(world(), simulation_.clock(),
+                                  {folder, false, model_.units, provenance_});
             log::info("the state is in " + folder.string());
         } catch (const FileError& e) {
             // What went wrong first is what the user must hear of.
@@ -127,16 +127,16 @@ class Run {
         }
     }
 
-    World<Dim>& world() { return simulation_.world(); }
+    bodies::World<Dim>& world() { return simulation_.world(); }
 
-    const Case& model_;
+    const model::Case& model_;
     const RunOptions& options_;
     const io::Path& folder_;
     const io::Provenance& provenance_;
     Simulation<Dim> simulation_;
 };
 
-std::vector<io::Path> filesRead(const Case& model, const RunOptions& options) {
+std::vector<io::Path> filesRead(const model::Case& model, const RunOptions& options) {
     std::vector<io::Path> files(model.sources.begin(), model.sources.end());
     for (const auto& [path, content] : model.files) files.emplace_back(path);
     if (!options.restart.empty()) files.emplace_back(options.restart);
@@ -144,7 +144,7 @@ std::vector<io::Path> filesRead(const Case& model, const RunOptions& options) {
 }
 
 template <int Dim>
-int runIn(const Case& model, const RunOptions& options) {
+int runIn(const model::Case& model, const RunOptions& options) {
     const io::Path path =
         options.output.empty() ? io::Path("output") / caseName(model) : io::Path(options.output);
     const io::Provenance provenance = makeProvenance(threadCount());
@@ -184,9 +184,9 @@ int runIn(const Case& model, const RunOptions& options) {
 
 }  // namespace
 
-int runCase(const Case& model, const RunOptions& options) {
+int runCase(const model::Case& model, const RunOptions& options) {
     setThreadCount(options.threads);
     return model.dimension == 2 ? runIn<2>(model, options) : runIn<3>(model, options);
 }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -5,10 +5,10 @@
 #include "case/model/model.h"
 #include "case/run/options.h"
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// Runs a case; returns the exit code: 0, or 128 + the signal that stopped it after a restart was
 /// written. Throws CaseError, PhysicsError, FileError.
-int runCase(const Case& model, const RunOptions& options);
+int runCase(const model::Case& model, const RunOptions& options);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

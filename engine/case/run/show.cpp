@@ -4,8 +4,8 @@
 
 #include "input/tree/yaml.h"
 
-namespace sphinx::model {
+namespace sphinx::run {
 
-std::string showCase(const Case& model) { return input::writeYaml(model.resolved, true); }
+std::string showCase(const model::Case& model) { return input::writeYaml(model.resolved, true); }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

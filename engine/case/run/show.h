@@ -6,10 +6,10 @@
 
 #include <string>
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// The resolved case as YAML that runs the same: every value with its origin as a comment
 /// (default, case.yaml:31, --set).
-std::string showCase(const Case& model);
+std::string showCase(const model::Case& model);
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <string_view>
 
-namespace sphinx::model {
+namespace sphinx::run {
 namespace {
 
 volatile std::sig_atomic_t received_signal = 0;
@@ -43,4 +43,4 @@ void SignalGuard::remember() { remembers = 1; }
 
 int SignalGuard::received() { return received_signal; }
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

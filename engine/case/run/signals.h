@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// What SIGINT and SIGTERM do while it lives. At first they end the process at once, with exit code
 /// 128 + the signal; after remember() they are remembered instead, and a second one ends the
@@ -20,4 +20,4 @@ class SignalGuard {
     static int received();
 };
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

@@ -13,35 +13,36 @@
 #include <filesystem>
 #include <utility>
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 template <int Dim>
-Simulation<Dim>::Simulation(const Case& model, const RunOptions& options, io::Path folder,
+Simulation<Dim>::Simulation(const model::Case& model, const RunOptions& options, io::Path folder,
                             io::Provenance provenance)
     : model_(model),
       options_(options),
       folder_(std::move(folder)),
       provenance_(std::move(provenance)),
-      placed_(loopFacts(model)) {
+      placed_(build::loopFacts(model)) {
     input::Diagnostics diagnostics;
-    checkLoop(placed_, diagnostics);
+    build::checkLoop(placed_, diagnostics);
     diagnostics.throwIfErrors();
-    world_ = buildWorld<Dim>(model, !resuming(), diagnostics);
+    world_ = build::buildWorld<Dim>(model, !resuming(), diagnostics);
     diagnostics.throwIfErrors();
     warnings_ = diagnostics.text();
-    relations_ = std::make_unique<Relations<Dim>>(*world_);
-    context_.emplace(Context<Dim>{*world_, *relations_});
-    methods_ = std::make_unique<Methods<Dim>>(model, *context_);
+    relations_ = std::make_unique<neighbors::Relations<Dim>>(*world_);
+    context_.emplace(dynamics::Context<Dim>{*world_, *relations_});
+    methods_ = std::make_unique<build::Methods<Dim>>(model, *context_);
 }
 
 template <int Dim>
 void Simulation<Dim>::prepare() {
-    loop::Plan plan = bindPlan<Dim>(placed_.facts.plan, model_, *world_, *methods_);
-    const OutputTools<Dim> tools{model_,          *world_,
-                                 *relations_,     folder_,
-                                 provenance_,     [this] { return runner_->progress(); },
-                                 methods_->all(), restartHeader(),
-                                 restartBodies(), [this](Archive& archive) { transfer(archive); }};
+    loop::Plan plan = build::bindPlan<Dim>(placed_.facts.plan, model_, *world_, *methods_);
+    const build::OutputTools<Dim> tools{
+        model_,          *world_,
+        *relations_,     folder_,
+        provenance_,     [this] { return runner_->progress(); },
+        methods_->all(), restartHeader(),
+        restartBodies(), [this](Archive& archive) { transfer(archive); }};
     outputs_.emplace(tools, options_.outputs);
     outputs_->addTo(plan);
     runner_ = std::make_unique<loop::Runner>(std::move(plan));
@@ -114,7 +115,7 @@ void Simulation<Dim>::restore() {
     io::readRestart<Dim>(
         source_.file, [this](Archive& archive) { transfer(archive); }, restartBodies());
     if (!options_.resume) runner_->leaveRestarts();
-    std::vector<sphinx::Body<Dim>*> bodies;
+    std::vector<bodies::Body<Dim>*> bodies;
     for (auto& body : world_->bodies) {
         body->findParts();
         ++body->version;
@@ -123,7 +124,7 @@ void Simulation<Dim>::restore() {
     relations_->update(bodies);
 }
 
-std::string caseName(const Case& model) {
+std::string caseName(const model::Case& model) {
     std::error_code ignored;  // where there is no present folder any more
     const std::filesystem::path path = std::filesystem::absolute(model.path, ignored);
     return path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
@@ -132,4 +133,4 @@ std::string caseName(const Case& model) {
 template class Simulation<2>;
 template class Simulation<3>;
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

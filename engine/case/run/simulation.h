@@ -16,10 +16,10 @@
 #include <string>
 #include <string_view>
 
-namespace sphinx::model {
+namespace sphinx::run {
 
 /// "dam_break_2d" for cases/dam_break_2d/case.yaml, else the name of the file.
-std::string caseName(const Case& model);
+std::string caseName(const model::Case& model);
 
 /// A case at work, for whoever drives it: a run, a test, another program. Use: construct;
 /// prepare(); begin(); step() while it is not finished(), or less often; end(). Case and options
@@ -30,7 +30,7 @@ class Simulation {
  public:
     /// Makes the world, unless a restart brings the particles, and the methods. `folder`: that of
     /// the results; nothing is written there yet.
-    Simulation(const Case& model, const RunOptions& options, io::Path folder,
+    Simulation(const model::Case& model, const RunOptions& options, io::Path folder,
                io::Provenance provenance);
 
     /// Makes the outputs, still without writing, and reads the restart to go on from.
@@ -47,7 +47,7 @@ class Simulation {
     bool resuming() const { return options_.resume || !options_.restart.empty(); }
     const RestartSource& source() const { return source_; }  ///< when resuming
     std::string_view warnings() const { return warnings_; }
-    World<Dim>& world() { return *world_; }
+    bodies::World<Dim>& world() { return *world_; }
     /// Of the outermost layer.
     const Clock& clock() const { return runner_->clock(); }
     loop::Profile profile() const { return runner_->profile(); }
@@ -60,20 +60,20 @@ class Simulation {
     void transfer(Archive& archive);
     void restore();
 
-    const Case& model_;
+    const model::Case& model_;
     const RunOptions& options_;
     io::Path folder_;
     io::Provenance provenance_;
-    PlacedFacts placed_;
+    build::PlacedFacts placed_;
     std::string warnings_;
     RestartSource source_;
-    std::unique_ptr<World<Dim>> world_;
-    std::unique_ptr<Relations<Dim>> relations_;
-    std::optional<Context<Dim>> context_;
-    std::unique_ptr<Methods<Dim>> methods_;
-    std::optional<Outputs<Dim>> outputs_;
+    std::unique_ptr<bodies::World<Dim>> world_;
+    std::unique_ptr<neighbors::Relations<Dim>> relations_;
+    std::optional<dynamics::Context<Dim>> context_;
+    std::unique_ptr<build::Methods<Dim>> methods_;
+    std::optional<build::Outputs<Dim>> outputs_;
     std::unique_ptr<loop::Runner> runner_;
     std::optional<Health<Dim>> health_;
 };
 
-}  // namespace sphinx::model
+}  // namespace sphinx::run

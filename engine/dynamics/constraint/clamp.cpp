@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 
 template <int Dim>
 Clamp<Dim>::Clamp(Context<Dim>& context, Part<Dim> part)
@@ -100,4 +100,4 @@ void declareClamp(input::Registry& registry) {
 template class Clamp<2>;
 template class Clamp<3>;
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

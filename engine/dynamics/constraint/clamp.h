@@ -6,7 +6,7 @@
 #include "dynamics/declare.h"
 #include "dynamics/known_load.h"
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 
 struct ClampParameters {
     input::Name part;
@@ -55,4 +55,4 @@ class Clamp final : public Method, public Support<Dim> {
 /// Registers constraint.clamp.
 void declareClamp(input::Registry& registry);
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

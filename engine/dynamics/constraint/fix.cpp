@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 
 template <int Dim>
 Fix<Dim>::Fix(Part<Dim> part, const std::vector<int>& directions)
@@ -50,4 +50,4 @@ void declareFix(input::Registry& registry) {
 template class Fix<2>;
 template class Fix<3>;
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 
 struct FixParameters {
     input::Name part;
@@ -36,4 +36,4 @@ class Fix final : public Method, public Support<Dim> {
 /// Registers constraint.fix.
 void declareFix(input::Registry& registry);
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

@@ -7,13 +7,14 @@
 #include <cmath>
 #include <limits>
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 namespace {
 
 /// The point's mirror image in the plane that touches the surface of the shape between it and a
 /// point outside.
 template <int Dim>
-Vec<Dim> mirrored(const geometry::Shape<Dim>& shape, Vec<Dim> outside, const Vec<Dim>& point) {
+Vec<Dim> mirrored(const sphinx::geometry::Shape<Dim>& shape, Vec<Dim> outside,
+                  const Vec<Dim>& point) {
     Vec<Dim> inside = point;
     for (int halving = 0; halving < 50; ++halving) {
         const Vec<Dim> middle = 0.5 * (inside + outside);
@@ -123,7 +124,7 @@ std::vector<ImageLink> mirrorImages(const Part<Dim>& part, const std::vector<Ind
     Body<Dim>& body = part.body();
     const auto& start = body.particles.vector(fields::initial_position);
     const Surroundings<Dim> around(body, start, relation, domain);
-    const geometry::Shape<Dim>& shape = *part.shape();
+    const sphinx::geometry::Shape<Dim>& shape = *part.shape();
     const double half = 0.5 * body.spacing;
     const double ahead = 0.75 * body.spacing;  // where rows begin, give or take half a spacing
     // The real particle next to the point, on the way from `from`.
@@ -168,4 +169,4 @@ template std::vector<ImageLink> mirrorImages(const Part<2>&, const std::vector<I
 template std::vector<ImageLink> mirrorImages(const Part<3>&, const std::vector<Index>&,
                                              const ReferenceRelation<3>&, const Domain<3>&);
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "dynamics/part.h"
-#include "neighbors/relations.h"
+#include "dynamics/words.h"
 
 #include <vector>
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 
 /// Part of the motion of an image: u_image += weight u_real.
 struct ImageLink {
@@ -31,4 +31,4 @@ std::vector<ImageLink> mirrorImages(const Part<Dim>& part, const std::vector<Ind
                                     const ReferenceRelation<Dim>& relation,
                                     const Domain<Dim>& domain);
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 namespace {
 
 template <int Dim>
@@ -39,4 +39,4 @@ bool Motion<Dim>::turns() const {
 template class Motion<2>;
 template class Motion<3>;
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

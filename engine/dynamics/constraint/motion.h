@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 
 /// A turn about a point, in 3D about an axis through it, counter-clockwise as the axis (in 2D z)
 /// points to the eye.
@@ -82,4 +82,4 @@ class Motion {
 extern template class Motion<2>;
 extern template class Motion<3>;
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

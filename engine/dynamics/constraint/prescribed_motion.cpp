@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 
 template <int Dim>
 PrescribedMotion<Dim>::PrescribedMotion(const World<Dim>& world, Part<Dim> part, Motion<Dim> motion,
@@ -277,4 +277,4 @@ template class PrescribedSolidMotion<3>;
 template class PrescribedWallMotion<2>;
 template class PrescribedWallMotion<3>;
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

@@ -9,7 +9,7 @@
 #include <array>
 #include <initializer_list>
 
-namespace sphinx::constraint {
+namespace sphinx::dynamics::constraint {
 
 struct PrescribedMotionParameters {
     input::Name part;
@@ -95,4 +95,4 @@ class PrescribedWallMotion final : public PrescribedMotion<Dim> {
 /// Registers constraint.prescribed_motion.
 void declarePrescribedMotion(input::Registry& registry);
 
-}  // namespace sphinx::constraint
+}  // namespace sphinx::dynamics::constraint

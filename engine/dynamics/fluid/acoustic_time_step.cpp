@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 template <int Dim>
 AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
@@ -39,4 +39,4 @@ void declareAcousticTimeStep(input::Registry& registry) {
 template class AcousticTimeStep<2>;
 template class AcousticTimeStep<3>;
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

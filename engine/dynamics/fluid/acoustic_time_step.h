@@ -4,7 +4,7 @@
 
 #include "dynamics/declare.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 struct AcousticTimeStepParameters {
     input::Name body;
@@ -30,4 +30,4 @@ class AcousticTimeStep final : public TimeStepMethod {
 /// Registers fluid.acoustic_time_step.
 void declareAcousticTimeStep(input::Registry& registry);
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

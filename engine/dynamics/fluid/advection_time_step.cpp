@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 template <int Dim>
 AdvectionTimeStep<Dim>::AdvectionTimeStep(Body<Dim>& body, double reference_speed, double cfl)
@@ -16,7 +16,7 @@ AdvectionTimeStep<Dim>::AdvectionTimeStep(Body<Dim>& body, double reference_spee
       reference_speed_(reference_speed),
       cfl_(cfl),
       velocity_(body.particles.vector(fields::velocity)) {
-    const Fluid& fluid = *body.fluid().material;
+    const materials::Fluid& fluid = *body.fluid().material;
     nu_ = fluid.viscosity() / fluid.density();
 }
 
@@ -48,4 +48,4 @@ void declareAdvectionTimeStep(input::Registry& registry) {
 template class AdvectionTimeStep<2>;
 template class AdvectionTimeStep<3>;
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -4,7 +4,7 @@
 
 #include "dynamics/declare.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 struct AdvectionTimeStepParameters {
     input::Name body;
@@ -33,4 +33,4 @@ class AdvectionTimeStep final : public TimeStepMethod {
 /// Registers fluid.advection_time_step.
 void declareAdvectionTimeStep(input::Registry& registry);
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 template <int Dim>
 AveragePressure<Dim>::AveragePressure(Body<Dim>& body)
@@ -42,4 +42,4 @@ void declareAveragePressure(input::Registry& registry) {
 template class AveragePressure<2>;
 template class AveragePressure<3>;
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

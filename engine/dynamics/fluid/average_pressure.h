@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 struct AveragePressureParameters {
     input::Name body;
@@ -36,4 +36,4 @@ class AveragePressure final : public Method {
 /// Registers fluid.average_pressure.
 void declareAveragePressure(input::Registry& registry);
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 template <int Dim>
 DensitySummation<Dim>::DensitySummation(Context<Dim>& context, Body<Dim>& body, Surface surface)
@@ -64,4 +64,4 @@ void declareDensitySummation(input::Registry& registry) {
 template class DensitySummation<2>;
 template class DensitySummation<3>;
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

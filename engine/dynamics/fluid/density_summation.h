@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "materials/fluid.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 enum class Surface { free, confined };
 
@@ -46,4 +46,4 @@ class DensitySummation final : public Method {
 /// Registers fluid.density_summation.
 void declareDensitySummation(input::Registry& registry);
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

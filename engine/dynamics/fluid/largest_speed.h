@@ -4,7 +4,7 @@
 
 #include "dynamics/group.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 /// Largest abs(v)^2 of a body's particles in the run; 0 where there are none. Eight at a time: a
 /// single running maximum waits for itself.
@@ -22,4 +22,4 @@ double largestSquaredSpeed(const Field<Vec<Dim>>& velocity) {
         [](double a, double b) { return b > a ? b : a; }, group_block);
 }
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

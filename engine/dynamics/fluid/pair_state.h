@@ -6,7 +6,7 @@
 #include "core/lanes.h"
 #include "core/types.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 /// What the pair terms of the acoustic step read of a neighbor, packed so that it costs one cache
 /// line: v, p, V.
@@ -47,4 +47,4 @@ template <int Dim>
     return out;
 }
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -13,7 +13,7 @@
 #include "dynamics/fluid/wall_pairs.h"
 #include "materials/fluid_laws.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 template <int Dim>
 PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context, Body<Dim>& body, Riemann riemann)
@@ -79,8 +79,8 @@ void PressureRelaxation<Dim>::predict(double dt) {
         });
     };
     // A copy of the law: for all that the compiler knows, its constants could change in the loop.
-    withLaw(*fluid_,
-            [&](const auto& law) { all([law](double rho) { return law.pressure(rho); }); });
+    materials::withLaw(
+        *fluid_, [&](const auto& law) { all([law](double rho) { return law.pressure(rho); }); });
 }
 
 template <int Dim>
@@ -252,4 +252,4 @@ void declarePressureRelaxation(input::Registry& registry) {
 template class PressureRelaxation<2>;
 template class PressureRelaxation<3>;
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -9,7 +9,7 @@
 #include "dynamics/fluid/terms/riemann.h"
 #include "materials/fluid.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 struct PressureRelaxationParameters {
     input::Name body;
@@ -64,7 +64,7 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
 
     Body<Dim>* body_;
     const Domain<Dim>* domain_;
-    const Fluid* fluid_;
+    const materials::Fluid* fluid_;
     Riemann riemann_;
     RiemannConstants constants_;
     double largest_force_;  // that sums over pairs may reach, and of the rate
@@ -89,4 +89,4 @@ class PressureRelaxation final : public Method, public SolidLoad<Dim> {
 /// Registers fluid.pressure_relaxation.
 void declarePressureRelaxation(input::Registry& registry);
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bodies/body.h"
 #include "core/archive.h"
 #include "dynamics/load.h"
-#include "neighbors/neighbor_list.h"
+#include "dynamics/words.h"
 
 #include <limits>
 #include <vector>
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 enum class LoadKind { pressure, viscous };
 
@@ -68,4 +67,4 @@ const SolidLoad<Dim>* presentLoad(const std::vector<const SolidLoad<Dim>*>& load
     return present;
 }
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 /// A fluid's neighbors as its methods sum over them: its own particles, and the walls that it sees.
 /// Made in a method's constructor.
@@ -23,8 +23,8 @@ class Surroundings {
     };
     /// What the lists keep for each pair besides the gradient.
     struct Needs {
-        Keeps own = {};
-        Keeps walls = {};
+        sphinx::neighbors::Keeps own = {};
+        sphinx::neighbors::Keeps walls = {};
         bool sees_walls = true;
     };
 
@@ -53,4 +53,4 @@ class Surroundings {
     std::vector<Wall> walls_;
 };
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 namespace {
 
 template <class F>
@@ -276,4 +276,4 @@ void declareViscousForce(input::Registry& registry) {
 template class ViscousForce<2>;
 template class ViscousForce<3>;
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -8,7 +8,7 @@
 #include "dynamics/fluid/terms/viscosity.h"
 #include "materials/fluid.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 enum class WallSlip { no_slip, free_slip };
 
@@ -83,4 +83,4 @@ class ViscousForce final : public Method, public SolidLoad<Dim> {
 /// Registers fluid.viscous_force.
 void declareViscousForce(input::Registry& registry);
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

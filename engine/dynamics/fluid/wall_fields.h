@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bodies/body.h"
+#include "dynamics/words.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 /// What a fluid sees of a solid. An elastic solid makes several steps in one of the fluid: its
 /// velocity is averaged over them (fsi.average_kinematics). Its acceleration is left out of the
@@ -30,4 +30,4 @@ struct WallFields {
     }
 };
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -12,7 +12,7 @@
 #include "dynamics/fluid/wall_fields.h"
 #include "dynamics/pair_loop.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 template <int Dim>
 inline void spread(const Vec<Dim>& value, Lanes (&out)[Dim]) {
@@ -95,4 +95,4 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
     });
 }
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

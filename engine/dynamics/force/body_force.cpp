@@ -5,7 +5,7 @@
 #include "core/parallel.h"
 #include "input/expressions/vector_at_time.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 template <int Dim>
 BodyForce<Dim>::BodyForce(Body<Dim>& body, std::vector<input::FieldExpression> acceleration)
@@ -38,4 +38,4 @@ void declareBodyForce(input::Registry& registry) {
 template class BodyForce<2>;
 template class BodyForce<3>;
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

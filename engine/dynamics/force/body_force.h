@@ -4,7 +4,7 @@
 
 #include "dynamics/declare.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 struct BodyForceParameters {
     input::Name body;
@@ -30,4 +30,4 @@ class BodyForce final : public Method {
 /// Registers force.body_force.
 void declareBodyForce(input::Registry& registry);
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 template <int Dim>
 Gravity<Dim>::Gravity(Body<Dim>& body, const Vec<Dim>& acceleration)
@@ -40,4 +40,4 @@ void declareGravity(input::Registry& registry) {
 template class Gravity<2>;
 template class Gravity<3>;
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

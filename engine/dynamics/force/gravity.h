@@ -4,7 +4,7 @@
 
 #include "dynamics/declare.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 struct GravityParameters {
     input::Name body;
@@ -31,4 +31,4 @@ class Gravity final : public Method {
 /// Registers force.gravity.
 void declareGravity(input::Registry& registry);
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

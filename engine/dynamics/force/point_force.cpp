@@ -5,7 +5,7 @@
 #include "core/sum_all.h"
 #include "input/expressions/vector_at_time.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 template <int Dim>
 PointForce<Dim>::PointForce(Part<Dim> part, std::vector<input::FieldExpression> force)
@@ -55,4 +55,4 @@ void declarePointForce(input::Registry& registry) {
 template class PointForce<2>;
 template class PointForce<3>;
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

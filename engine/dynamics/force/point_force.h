@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "dynamics/known_load.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 struct PointForceParameters {
     input::Name part;
@@ -36,4 +36,4 @@ class PointForce final : public Method, public AppliedLoad<Dim> {
 /// Registers force.point_force.
 void declarePointForce(input::Registry& registry);
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 template <int Dim>
 Spring<Dim>::Spring(const Domain<Dim>& domain, Part<Dim> part, double stiffness, double damping)
@@ -58,4 +58,4 @@ void declareSpring(input::Registry& registry) {
 template class Spring<2>;
 template class Spring<3>;
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "dynamics/known_load.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 struct SpringParameters {
     input::Name part;
@@ -42,4 +42,4 @@ class Spring final : public Method, public AppliedLoad<Dim> {
 /// Registers force.spring.
 void declareSpring(input::Registry& registry);
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

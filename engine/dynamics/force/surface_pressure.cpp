@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 template <int Dim>
 SurfacePressure<Dim>::SurfacePressure(Part<Dim> part, input::FieldExpression pressure,
@@ -130,4 +130,4 @@ void declareSurfacePressure(input::Registry& registry) {
 template class SurfacePressure<2>;
 template class SurfacePressure<3>;
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

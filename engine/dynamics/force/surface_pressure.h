@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 struct SurfacePressureParameters {
     input::Name part;
@@ -55,4 +55,4 @@ class SurfacePressure final : public Method, public AppliedLoad<Dim> {
 /// Registers force.surface_pressure.
 void declareSurfacePressure(input::Registry& registry);
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

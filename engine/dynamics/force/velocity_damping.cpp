@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 template <int Dim>
 VelocityDamping<Dim>::VelocityDamping(Body<Dim>& body, double rate)
@@ -36,4 +36,4 @@ void declareVelocityDamping(input::Registry& registry) {
 template class VelocityDamping<2>;
 template class VelocityDamping<3>;
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

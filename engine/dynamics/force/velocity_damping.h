@@ -4,7 +4,7 @@
 
 #include "dynamics/declare.h"
 
-namespace sphinx::force {
+namespace sphinx::dynamics::force {
 
 struct VelocityDampingParameters {
     input::Name body;
@@ -32,4 +32,4 @@ class VelocityDamping final : public Method {
 /// Registers force.velocity_damping.
 void declareVelocityDamping(input::Registry& registry);
 
-}  // namespace sphinx::force
+}  // namespace sphinx::dynamics::force

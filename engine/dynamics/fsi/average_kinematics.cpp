@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace sphinx::fsi {
+namespace sphinx::dynamics::fsi {
 
 template <int Dim>
 AverageKinematics<Dim>::AverageKinematics(Body<Dim>& body)
@@ -65,4 +65,4 @@ void declareAverageKinematics(input::Registry& registry) {
 template class AverageKinematics<2>;
 template class AverageKinematics<3>;
 
-}  // namespace sphinx::fsi
+}  // namespace sphinx::dynamics::fsi

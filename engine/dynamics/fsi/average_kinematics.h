@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "particles/side_array.h"
 
-namespace sphinx::fsi {
+namespace sphinx::dynamics::fsi {
 
 struct AverageKinematicsParameters {
     input::Name body;
@@ -34,11 +34,12 @@ class AverageKinematics final : public Method {
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& average_velocity_;
     Field<Vec<Dim>>& average_acceleration_;
-    SideArray<Vec<Dim>> old_position_;  // at `begin`, or where a particle came since
+    sphinx::particles::SideArray<Vec<Dim>>
+        old_position_;  // at `begin`, or where a particle came since
     double last_dt_ = 0;
 };
 
 /// Registers fsi.average_kinematics.
 void declareAverageKinematics(input::Registry& registry);
 
-}  // namespace sphinx::fsi
+}  // namespace sphinx::dynamics::fsi

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace sphinx::fsi {
+namespace sphinx::dynamics::fsi {
 
 template <int Dim>
 FluidForce<Dim>::FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& fluid,
@@ -33,4 +33,4 @@ void checkSight(const input::Component& method, WrittenCase& written) {
 template class FluidForce<2>;
 template class FluidForce<3>;
 
-}  // namespace sphinx::fsi
+}  // namespace sphinx::dynamics::fsi

@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "dynamics/fluid/solid_load.h"
 
-namespace sphinx::fsi {
+namespace sphinx::dynamics::fsi {
 
 struct FluidForceParameters {
     input::Name body;
@@ -34,4 +34,4 @@ class FluidForce : public Method {
 /// A rule: a fluid pushes the bodies that it sees.
 void checkSight(const input::Component& method, WrittenCase& written);
 
-}  // namespace sphinx::fsi
+}  // namespace sphinx::dynamics::fsi

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/fsi/pressure_force.h"
 
-namespace sphinx::fsi {
+namespace sphinx::dynamics::fsi {
 
 void declarePressureForce(input::Registry& registry) {
     using P = FluidForceParameters;
@@ -28,4 +28,4 @@ void declarePressureForce(input::Registry& registry) {
         .within("from", "step");
 }
 
-}  // namespace sphinx::fsi
+}  // namespace sphinx::dynamics::fsi

@@ -4,9 +4,9 @@
 
 #include "dynamics/fsi/fluid_force.h"
 
-namespace sphinx::fsi {
+namespace sphinx::dynamics::fsi {
 
 /// Registers fsi.pressure_force.
 void declarePressureForce(input::Registry& registry);
 
-}  // namespace sphinx::fsi
+}  // namespace sphinx::dynamics::fsi

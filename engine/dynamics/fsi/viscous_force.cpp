@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace sphinx::fsi {
+namespace sphinx::dynamics::fsi {
 
 namespace {
 
@@ -54,4 +54,4 @@ void declareViscousForce(input::Registry& registry) {
         .accumulates("body", {"viscous_force"});
 }
 
-}  // namespace sphinx::fsi
+}  // namespace sphinx::dynamics::fsi

@@ -4,9 +4,9 @@
 
 #include "dynamics/fsi/fluid_force.h"
 
-namespace sphinx::fsi {
+namespace sphinx::dynamics::fsi {
 
 /// Registers fsi.viscous_force.
 void declareViscousForce(input::Registry& registry);
 
-}  // namespace sphinx::fsi
+}  // namespace sphinx::dynamics::fsi

@@ -7,15 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx::geometry {
+namespace sphinx::dynamics::geometry {
 namespace {
 
 template <int Dim>
-ShapePointer<Dim> wholeShape(const Body<Dim>& body) {
+sphinx::geometry::ShapePointer<Dim> wholeShape(const Body<Dim>& body) {
     if (body.bonded.empty()) return body.shape;
-    std::vector<ShapePointer<Dim>> shapes{body.shape};
+    std::vector<sphinx::geometry::ShapePointer<Dim>> shapes{body.shape};
     for (const Body<Dim>* other : body.bonded) shapes.push_back(other->shape);
-    return makeUnion<Dim>(shapes);
+    return sphinx::geometry::makeUnion<Dim>(shapes);
 }
 
 }  // namespace
@@ -161,4 +161,4 @@ void declareNormalsFromShape(input::Registry& registry) {
 template class NormalsFromShape<2>;
 template class NormalsFromShape<3>;
 
-}  // namespace sphinx::geometry
+}  // namespace sphinx::dynamics::geometry

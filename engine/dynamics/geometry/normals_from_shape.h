@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-namespace sphinx::geometry {
+namespace sphinx::dynamics::geometry {
 
 struct NormalsFromShapeParameters {
     input::Name body;
@@ -51,8 +51,8 @@ class NormalsFromShape final : public Method {
     double depthAlong(const Vec<Dim>& x, const Vec<Dim>& normal) const;
 
     Body<Dim>* body_;
-    ShapePointer<Dim> shape_;
-    std::vector<ShapePointer<Dim>> others_;
+    sphinx::geometry::ShapePointer<Dim> shape_;
+    std::vector<sphinx::geometry::ShapePointer<Dim>> others_;
     std::vector<StencilPoint> stencil_;
     Field<Vec<Dim>>& normal_;
     Field<Vec<Dim>>& initial_normal_;
@@ -62,4 +62,4 @@ class NormalsFromShape final : public Method {
 /// Registers geometry.normals_from_shape.
 void declareNormalsFromShape(input::Registry& registry);
 
-}  // namespace sphinx::geometry
+}  // namespace sphinx::dynamics::geometry

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sphinx::neighbors {
+namespace sphinx::dynamics::neighbors {
 
 namespace {
 
@@ -31,14 +31,14 @@ template <int Dim>
 Update<Dim>::Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies)
     : context_(&context), bodies_(std::move(bodies)) {
     for (Body<Dim>* body : bodies_) {
-        const auto holdsBody = [&](const Group& group) {
-            return std::ranges::find(group.bodies, body) != group.bodies.end();
+        const auto holdsBody = [&](const Crossing& crossing) {
+            return std::ranges::find(crossing.bodies, body) != crossing.bodies.end();
         };
-        if (std::ranges::any_of(groups_, holdsBody)) continue;
+        if (std::ranges::any_of(crossings_, holdsBody)) continue;
         if (body->isElastic())
-            groups_.push_back({pieceOf(*body), true});
+            crossings_.push_back({pieceOf(*body), true});
         else
-            groups_.push_back({{body}, false});
+            crossings_.push_back({{body}, false});
     }
 }
 
@@ -51,13 +51,13 @@ std::size_t Update<Dim>::workSize() const {
 
 template <int Dim>
 void Update<Dim>::run(const Clock& clock) {
-    for (const Group& group : groups_) wrap(group);
+    for (const Crossing& crossing : crossings_) wrap(crossing);
     for (Body<Dim>* body : bodies_) findLost(*body, clock);
     context_->relations.update(bodies_);
 }
 
 template <int Dim>
-void Update<Dim>::wrap(const Group& group) const {
+void Update<Dim>::wrap(const Crossing& crossing) const {
     const Domain<Dim>& domain = context_->world.domain;
     for (int k = 0; k < Dim; ++k) {
         if (!domain.periodic[k]) continue;
@@ -71,17 +71,17 @@ void Update<Dim>::wrap(const Group& group) const {
         // Lists of the reference configuration know no images, so an elastic body goes where its
         // first particle goes. None is further from that than a period: other lists find it.
         double step = 0;
-        if (group.whole) {
-            const double first = group.bodies.front()->particles.position()[0][k];
+        if (crossing.whole) {
+            const double first = crossing.bodies.front()->particles.position()[0][k];
             step = first < lower ? period : first >= upper ? -period : 0;
             if (step == 0) continue;
         }
-        for (Body<Dim>* body : group.bodies) {
+        for (Body<Dim>* body : crossing.bodies) {
             auto& position = body->particles.position();
             const std::size_t wrapped = countLocal(body->size(), [&](std::size_t i) {
                 double& x = position[i][k];
                 const double before = x;
-                x = group.whole ? x + step : inside(x);
+                x = crossing.whole ? x + step : inside(x);
                 return x != before;
             });
             // Grids and lists of the places before are stale.
@@ -130,7 +130,7 @@ void Update<Dim>::findLost(Body<Dim>& body, const Clock& clock) {
             world.placeText(domain.bounds.upper));
         // Lists of the reference configuration and parts of a solid know its particles by place.
         if (!body.isFluid()) throw PhysicsError(message);
-        if (domain.lost == LostParticles::stop)
+        if (domain.lost == bodies::LostParticles::stop)
             throw PhysicsError(message + " (lost_particles: remove would go on without it)");
         tellRemoved(message);
     }
@@ -174,4 +174,4 @@ void declareUpdate(input::Registry& registry) {
 template class Update<2>;
 template class Update<3>;
 
-}  // namespace sphinx::neighbors
+}  // namespace sphinx::dynamics::neighbors

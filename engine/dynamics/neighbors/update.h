@@ -4,7 +4,7 @@
 
 #include "dynamics/declare.h"
 
-namespace sphinx::neighbors {
+namespace sphinx::dynamics::neighbors {
 
 struct UpdateParameters {
     std::vector<input::Name> bodies;
@@ -22,17 +22,17 @@ class Update final : public Method {
 
  private:
     /// Bodies that cross a periodic side particle by particle, or as a whole.
-    struct Group {
+    struct Crossing {
         std::vector<Body<Dim>*> bodies;
         bool whole = false;
     };
-    void wrap(const Group& group) const;
+    void wrap(const Crossing& crossing) const;
     void findLost(Body<Dim>& body, const Clock& clock);
     void tellRemoved(const std::string& message);
 
     Context<Dim>* context_;
     std::vector<Body<Dim>*> bodies_;
-    std::vector<Group> groups_;
+    std::vector<Crossing> crossings_;
     std::size_t removed_ = 0;  ///< in this run
     std::size_t next_count_ = 10;
 };
@@ -40,4 +40,4 @@ class Update final : public Method {
 /// Registers neighbors.update.
 void declareUpdate(input::Registry& registry);
 
-}  // namespace sphinx::neighbors
+}  // namespace sphinx::dynamics::neighbors

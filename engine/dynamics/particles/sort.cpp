@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/particles/sort.h"
 
-namespace sphinx::particles {
+namespace sphinx::dynamics::particles {
 
 template <int Dim>
 void Sort<Dim>::run(const Clock&) {
@@ -27,4 +27,4 @@ void declareSort(input::Registry& registry) {
 template class Sort<2>;
 template class Sort<3>;
 
-}  // namespace sphinx::particles
+}  // namespace sphinx::dynamics::particles

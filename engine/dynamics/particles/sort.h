@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "neighbors/cell_grid.h"
 
-namespace sphinx::particles {
+namespace sphinx::dynamics::particles {
 
 struct SortParameters {
     input::Name body;
@@ -25,10 +25,10 @@ class Sort final : public Method {
 
  private:
     Body<Dim>* body_;
-    CellGrid<Dim> grid_;
+    sphinx::neighbors::CellGrid<Dim> grid_;
 };
 
 /// Registers particles.sort.
 void declareSort(input::Registry& registry);
 
-}  // namespace sphinx::particles
+}  // namespace sphinx::dynamics::particles

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 namespace {
 
 /// Largest modulus, squared speed and squared acceleration of the particles.
@@ -40,7 +40,7 @@ AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
 
 template <int Dim>
 double AcousticTimeStep<Dim>::estimate() {
-    const Largest largest = withLaw(*solid_, [&](const auto& law) {
+    const Largest largest = materials::withLaw(*solid_, [&](const auto& law) {
         const ParticleFibres<Dim> fibres(*body_, std::decay_t<decltype(law)>::uses_fibres);
         const std::size_t n = body_->size();
         const std::vector<double>& shares = body_->elastic().shares;
@@ -50,7 +50,8 @@ double AcousticTimeStep<Dim>::estimate() {
                 Wide modulus = 0, speed2 = 0, acceleration2 = 0;
                 for (std::size_t number = begin; number < end; ++number) {
                     const Group group = groupOf(number, n);
-                    const MatOf<Dim, Wide> C = rightCauchyGreen<Dim, Wide>(load(gradient_, group));
+                    const MatOf<Dim, Wide> C =
+                        materials::rightCauchyGreen<Dim, Wide>(load(gradient_, group));
                     Wide own = law.template tangentModulus<Dim, Wide>(C, fibres[group]);
                     if (!shares.empty())  // what a clamp covers whole has no stress
                         own = select(load(shares.data(), group) > 0, own, 0);
@@ -95,4 +96,4 @@ void declareAcousticTimeStep(input::Registry& registry) {
 template class AcousticTimeStep<2>;
 template class AcousticTimeStep<3>;
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "materials/elastic_solid.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 struct AcousticTimeStepParameters {
     input::Name body;
@@ -23,7 +23,7 @@ class AcousticTimeStep final : public TimeStepMethod {
 
  private:
     Body<Dim>* body_;
-    const ElasticSolid* solid_;
+    const materials::ElasticSolid* solid_;
     double cfl_;
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& acceleration_;
@@ -33,4 +33,4 @@ class AcousticTimeStep final : public TimeStepMethod {
 /// Registers solid.acoustic_time_step.
 void declareAcousticTimeStep(input::Registry& registry);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -23,7 +23,7 @@
 #include <atomic>
 #include <cmath>
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 namespace {
 
 /// Places of the particles at which a loop failed: the first of them, for any number of threads.
@@ -121,7 +121,7 @@ template <int Dim>
 template <class Law>
 void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) {
     const double half = 0.5 * clock.dt;
-    const ElasticRole<Dim>& role = body_->elastic();
+    const bodies::ElasticRole<Dim>& role = body_->elastic();
     const double eta = damping ? solid_->damping() : 0;
     const double control = role.hourglass_modulus;
     const double rho0 = solid_->density();
@@ -134,7 +134,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
         const Matrix F = load(gradient_, group) + half * rate;
         store(F, gradient_, group);
         const Wide J = determinant(F);
-        const Matrix C = rightCauchyGreen<Dim, Wide>(F);
+        const Matrix C = materials::rightCauchyGreen<Dim, Wide>(F);
         const unsigned sound = maskBits((J > 0) & law.template admissible<Dim, Wide>(C));
         for (std::size_t k = 0; sound != all_lanes && k < group.count; ++k) {
             const std::size_t i = group.first + k;
@@ -185,7 +185,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
 template <int Dim>
 void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
     prepare();
-    withLaw(*solid_, [&](const auto& law) { stress(law, clock, damping); });
+    materials::withLaw(*solid_, [&](const auto& law) { stress(law, clock, damping); });
 }
 
 template <int Dim>
@@ -226,4 +226,4 @@ void Deformation<Dim>::fail(std::size_t i, const std::string& what, const Clock&
 template class Deformation<2>;
 template class Deformation<3>;
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

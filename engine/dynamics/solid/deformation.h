@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 /// Deformation and stress of an elastic body whose neighbors are those of the reference
 /// configuration: in itself and in the bodies bonded to it. Gradients g_ij = e_ij W'_ij V_j.
@@ -69,7 +69,7 @@ class Deformation {
     Context<Dim>* context_;
     Body<Dim>* body_;
     bool hourglass_control_;
-    const ElasticSolid* solid_;
+    const materials::ElasticSolid* solid_;
     std::vector<Neighbors> neighbors_;
 
     Field<Vec<Dim>>& position_;
@@ -82,4 +82,4 @@ class Deformation {
     Field<Mat<Dim>>& stress_;
 };
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -10,7 +10,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 namespace {
 
 /// In space: a body in 2D does not change across the plane.
@@ -21,8 +21,8 @@ Mat<3> inSpace(const Mat<Dim>& F) {
     return whole;
 }
 template <int Dim>
-Fibres<3> inSpace(const Fibres<Dim>& fibres) {
-    Fibres<3> whole;
+materials::Fibres<3> inSpace(const materials::Fibres<Dim>& fibres) {
+    materials::Fibres<3> whole;
     whole.fibre.template head<Dim>() = fibres.fibre;
     whole.sheet.template head<Dim>() = fibres.sheet;
     return whole;
@@ -36,7 +36,7 @@ double vonMises(const Mat<3>& stress) {
 }  // namespace
 
 template <int Dim>
-void derive(Body<Dim>& body, const FieldInfo& field) {
+void derive(Body<Dim>& body, const sphinx::particles::FieldInfo& field) {
     ParticleSet<Dim>& p = body.particles;
     const std::size_t n = body.size();
     if (&field == &fields::displacement) {
@@ -48,14 +48,16 @@ void derive(Body<Dim>& body, const FieldInfo& field) {
     const auto& gradient = p.matrix(fields::deformation_gradient);
     if (&field == &fields::green_lagrange_strain) {
         auto& E = p.matrix(field);
-        parallelFor(
-            n, [&](std::size_t i) { E[i] = greenStrain<Dim>(rightCauchyGreen<Dim>(gradient[i])); });
+        parallelFor(n, [&](std::size_t i) {
+            E[i] = materials::greenStrain<Dim>(materials::rightCauchyGreen<Dim>(gradient[i]));
+        });
         return;
     }
-    withLaw(*body.elastic().material, [&](const auto& law) {
+    materials::withLaw(*body.elastic().material, [&](const auto& law) {
         const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
         const auto stress = [&](std::size_t i) -> Mat<Dim> {
-            return law.template stress<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
+            return law.template stress<Dim>(materials::rightCauchyGreen<Dim>(gradient[i]),
+                                            fibres[i]);
         };
         if (&field == &fields::piola_kirchhoff_stress) {
             auto& P = p.matrix(field);
@@ -70,20 +72,21 @@ void derive(Body<Dim>& body, const FieldInfo& field) {
             auto& out = p.scalar(field);
             parallelFor(n, [&](std::size_t i) {
                 const Mat<3> F = inSpace<Dim>(gradient[i]);
-                const Mat<3> S =
-                    law.template stress<3>(rightCauchyGreen<3>(F), inSpace<Dim>(fibres[i]));
+                const Mat<3> S = law.template stress<3>(materials::rightCauchyGreen<3>(F),
+                                                        inSpace<Dim>(fibres[i]));
                 out[i] = vonMises(F * S * F.transpose() / F.determinant());
             });
         } else {
             auto& energy = p.scalar(field);
             parallelFor(n, [&](std::size_t i) {
-                energy[i] = law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
+                energy[i] = law.template energy<Dim>(materials::rightCauchyGreen<Dim>(gradient[i]),
+                                                     fibres[i]);
             });
         }
     });
 }
 
-template void derive(Body<2>&, const FieldInfo&);
-template void derive(Body<3>&, const FieldInfo&);
+template void derive(Body<2>&, const sphinx::particles::FieldInfo&);
+template void derive(Body<3>&, const sphinx::particles::FieldInfo&);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

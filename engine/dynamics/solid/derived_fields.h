@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bodies/body.h"
+#include "dynamics/words.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 /// Computes a derived field (FieldKind::derived), which the body has, of all particles:
 /// displacement u = r - R; Green-Lagrange strain E = (F^T F - I)/2; first Piola-Kirchhoff stress
@@ -12,6 +12,6 @@ namespace sphinx::solid {
 /// sigma_33); strain energy per reference volume. Stresses are those of the elastic law, without
 /// damping.
 template <int Dim>
-void derive(Body<Dim>& body, const FieldInfo& field);
+void derive(Body<Dim>& body, const sphinx::particles::FieldInfo& field);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bodies/body.h"
 #include "dynamics/group.h"
+#include "dynamics/words.h"
 #include "materials/elastic_solid.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 /// Directions of the muscle at each particle of a body, for laws that use them.
 template <int Dim>
@@ -17,11 +17,11 @@ class ParticleFibres {
         fibre_ = &body.particles.vector(fields::fibre);
         sheet_ = &body.particles.vector(fields::sheet);
     }
-    Fibres<Dim> operator[](std::size_t i) const {
+    materials::Fibres<Dim> operator[](std::size_t i) const {
         if (!fibre_) return {};
         return {(*fibre_)[i], (*sheet_)[i]};
     }
-    Fibres<Dim, Wide> operator[](const Group& group) const {
+    materials::Fibres<Dim, Wide> operator[](const Group& group) const {
         if (!fibre_) return {};
         return {load(*fibre_, group), load(*sheet_, group)};
     }
@@ -31,4 +31,4 @@ class ParticleFibres {
     const Field<Vec<Dim>>* sheet_ = nullptr;
 };
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

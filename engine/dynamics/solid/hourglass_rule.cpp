@@ -9,7 +9,7 @@
 
 #include <optional>
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 namespace {
 
 struct Control {
@@ -42,4 +42,4 @@ void checkHourglassControl(const input::Component& method, WrittenCase& written)
     }
 }
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

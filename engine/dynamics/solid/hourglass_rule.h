@@ -4,10 +4,10 @@
 
 #include "dynamics/rules.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 /// A rule of methods that step an elastic body: a body has one hourglass control, by whichever of
 /// them it is stepped.
 void checkHourglassControl(const input::Component& method, WrittenCase& written);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -7,7 +7,7 @@
 #include "materials/elastic_laws.h"
 #include "materials/strain.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 namespace {
 
 /// sum_j k_ij abs(r_ij - F_i R_ij)^2 over one relation.
@@ -34,15 +34,16 @@ double unseenMotion(const ReferenceRelation<Dim>& relation, const Domain<Dim>& d
 
 template <int Dim>
 double internalEnergy(Body<Dim>& body, Relations<Dim>& relations) {
-    const ElasticRole<Dim>& role = body.elastic();
+    const bodies::ElasticRole<Dim>& role = body.elastic();
     const auto& gradient = body.particles.matrix(fields::deformation_gradient);
     const auto& volume = body.particles.scalar(fields::volume);
-    const double elastic = withLaw(*role.material, [&](const auto& law) {
+    const double elastic = materials::withLaw(*role.material, [&](const auto& law) {
         const ParticleFibres<Dim> fibres(body, std::decay_t<decltype(law)>::uses_fibres);
         return sumAll(body.size(), [&](std::size_t i) {
             if (role.share(i) == 0) return 0.0;
             return role.share(i) * volume[i] *
-                   law.template energy<Dim>(rightCauchyGreen<Dim>(gradient[i]), fibres[i]);
+                   law.template energy<Dim>(materials::rightCauchyGreen<Dim>(gradient[i]),
+                                            fibres[i]);
         });
     });
     if (role.hourglass_modulus == 0) return elastic;
@@ -65,4 +66,4 @@ double internalEnergy(Body<Dim>& body, Relations<Dim>& relations) {
 template double internalEnergy(Body<2>&, Relations<2>&);
 template double internalEnergy(Body<3>&, Relations<3>&);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

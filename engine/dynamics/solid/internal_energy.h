@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "neighbors/relations.h"
+#include "dynamics/words.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 /// Elastic energy of a body: sum_i V_i W(F_i), and that of its hourglass control,
 /// sum_i V_i c/2 sum_j k_ij abs(r_ij - F_i R_ij)^2 (deformation.h). Energy, zero at rest. Undamped
@@ -12,4 +12,4 @@ namespace sphinx::solid {
 template <int Dim>
 double internalEnergy(Body<Dim>& body, Relations<Dim>& relations);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/solid/linear_correction.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 void declareLinearCorrection(input::Registry& registry) {
     using P = LinearCorrectionParameters;
@@ -22,4 +22,4 @@ void declareLinearCorrection(input::Registry& registry) {
         .writes("body", {"correction_matrix", "deformation_gradient", "deformation_rate"});
 }
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

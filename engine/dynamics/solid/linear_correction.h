@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "dynamics/solid/deformation.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 struct LinearCorrectionParameters {
     input::Name body;
@@ -28,4 +28,4 @@ class LinearCorrection final : public Method {
 /// Registers solid.linear_correction.
 void declareLinearCorrection(input::Registry& registry);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

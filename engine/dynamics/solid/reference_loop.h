@@ -3,10 +3,10 @@
 #pragma once
 
 #include "dynamics/group.h"
-#include "neighbors/reference_list.h"
+#include "dynamics/words.h"
 
 // Sums over neighbors in the reference configuration, of the eight particles of a group at a time.
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 /// One neighbor of each particle: eight that stand one after the other.
 struct Run {
@@ -96,4 +96,4 @@ inline VecOf<Dim, Wide> productSum(const ReferenceList<Dim>& list, const Group& 
     return sum;
 }
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 template <int Dim>
 StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, Body<Dim>& body,
@@ -124,4 +124,4 @@ void declareStressRelaxation(input::Registry& registry) {
 template class StressRelaxation<2>;
 template class StressRelaxation<3>;
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "dynamics/solid/deformation.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 struct StressRelaxationParameters {
     input::Name body;
@@ -48,4 +48,4 @@ class StressRelaxation final : public Method {
 /// Registers solid.stress_relaxation.
 void declareStressRelaxation(input::Registry& registry);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

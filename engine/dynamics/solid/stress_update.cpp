@@ -4,7 +4,7 @@
 
 #include "dynamics/solid/hourglass_rule.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 void declareStressUpdate(input::Registry& registry) {
     using P = StressUpdateParameters;
@@ -38,4 +38,4 @@ void declareStressUpdate(input::Registry& registry) {
         .closes("body", "step");
 }
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -5,7 +5,7 @@
 #include "dynamics/declare.h"
 #include "dynamics/solid/deformation.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 struct StressUpdateParameters {
     input::Name body;
@@ -32,4 +32,4 @@ class StressUpdate final : public Method {
 /// Registers solid.stress_update.
 void declareStressUpdate(input::Registry& registry);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

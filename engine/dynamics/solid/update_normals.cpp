@@ -5,7 +5,7 @@
 #include "core/parallel.h"
 #include "dynamics/turned_normal.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 template <int Dim>
 UpdateNormals<Dim>::UpdateNormals(Body<Dim>& body)
@@ -38,4 +38,4 @@ void declareUpdateNormals(input::Registry& registry) {
 template class UpdateNormals<2>;
 template class UpdateNormals<3>;
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

@@ -4,7 +4,7 @@
 
 #include "dynamics/declare.h"
 
-namespace sphinx::solid {
+namespace sphinx::dynamics::solid {
 
 struct UpdateNormalsParameters {
     input::Name body;
@@ -29,4 +29,4 @@ class UpdateNormals final : public Method {
 /// Registers solid.update_normals.
 void declareUpdateNormals(input::Registry& registry);
 
-}  // namespace sphinx::solid
+}  // namespace sphinx::dynamics::solid

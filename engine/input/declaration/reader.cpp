@@ -9,19 +9,19 @@
 namespace sphinx::input {
 namespace {
 
-std::vector<std::string> acceptedKeys(const std::vector<Part>& parts,
+std::vector<std::string> acceptedKeys(const std::vector<DeclaredStruct>& parts,
                                       const std::vector<std::string>& other_keys) {
     std::vector<std::string> keys = other_keys;
-    for (const Part& part : parts)
+    for (const DeclaredStruct& part : parts)
         for (const Parameter& p : part.declaration->parameters()) keys.push_back(p.name);
     return keys;
 }
 
 /// Required keys that the node lacks, and that none of its unknown keys is nearly.
-std::vector<std::string> missingKeys(const Node& node, const std::vector<Part>& parts,
+std::vector<std::string> missingKeys(const Node& node, const std::vector<DeclaredStruct>& parts,
                                      const std::vector<const Node::Entry*>& unknown) {
     std::vector<std::string> missing;
-    for (const Part& part : parts)
+    for (const DeclaredStruct& part : parts)
         for (const Parameter& p : part.declaration->parameters()) {
             const bool misspelt =
                 std::any_of(unknown.begin(), unknown.end(),
@@ -31,7 +31,7 @@ std::vector<std::string> missingKeys(const Node& node, const std::vector<Part>& 
     return missing;
 }
 
-bool readOne(const Node& node, const Place& place, Reader& reader, const Part& part,
+bool readOne(const Node& node, const Place& place, Reader& reader, const DeclaredStruct& part,
              const std::vector<std::string>& missing) {
     bool good = true;
     for (const Parameter& p : part.declaration->parameters()) {
@@ -53,7 +53,7 @@ bool readOne(const Node& node, const Place& place, Reader& reader, const Part& p
     return good;
 }
 
-bool checkRules(const Node& node, const Place& place, Reader& reader, const Part& part) {
+bool checkRules(const Node& node, const Place& place, Reader& reader, const DeclaredStruct& part) {
     for (const Declaration::Rule& rule : part.declaration->rules()) {
         const std::string violation = rule.violated(part.parameters, reader.units);
         if (violation.empty()) continue;
@@ -87,7 +87,8 @@ std::optional<double> Reader::number(const Node& node, Dimension dimension) {
 }
 
 bool readParameters(const Node& node, const Place& place, Reader& reader,
-                    const std::vector<Part>& parts, const std::vector<std::string>& other_keys) {
+                    const std::vector<DeclaredStruct>& parts,
+                    const std::vector<std::string>& other_keys) {
     if (parts.size() == 1 && parts[0].declaration->bare()) {
         const Parameter& value = parts[0].declaration->parameters().front();
         return value.type->read(node, reader, value.member(parts[0].parameters)) &&
@@ -110,8 +111,9 @@ bool readParameters(const Node& node, const Place& place, Reader& reader,
         reader.error(entry->place, std::move(message));
     }
     bool good = unknown.empty();
-    for (const Part& part : parts) good = readOne(node, place, reader, part, missing) && good;
-    for (const Part& part : parts)
+    for (const DeclaredStruct& part : parts)
+        good = readOne(node, place, reader, part, missing) && good;
+    for (const DeclaredStruct& part : parts)
         if (good) good = checkRules(node, place, reader, part);
     return good;
 }

@@ -48,7 +48,7 @@ class Reader {
 };
 
 /// A struct to be filled and what declares it.
-struct Part {
+struct DeclaredStruct {
     const Declaration* declaration;
     void* parameters;
 };
@@ -56,7 +56,7 @@ struct Part {
 /// Reads a map whose keys are those of all parts, besides `other_keys` that the caller reads.
 /// `place` is where a missing key is reported.
 bool readParameters(const Node& node, const Place& place, Reader& reader,
-                    const std::vector<Part>& parts,
+                    const std::vector<DeclaredStruct>& parts,
                     const std::vector<std::string>& other_keys = {});
 /// The resolved map of one part appended to `out`.
 void writeParameters(const Declaration& declaration, const void* parameters, const Node* source,

@@ -14,12 +14,12 @@ namespace {
 
 /// For each component of the file: the component in memory, or -1 for a zero.
 template <int Dim>
-std::vector<int> componentMap(Rank rank, FieldLayout layout) {
+std::vector<int> componentMap(particles::Rank rank, FieldLayout layout) {
     const int width = layout == FieldLayout::padded ? 3 : Dim;
     std::vector<int> map;
-    if (rank == Rank::vector)
+    if (rank == particles::Rank::vector)
         for (int k = 0; k < width; ++k) map.push_back(k < Dim ? k : -1);
-    if (rank == Rank::matrix)
+    if (rank == particles::Rank::matrix)
         for (int row = 0; row < width; ++row)
             for (int column = 0; column < width; ++column)
                 map.push_back(row < Dim && column < Dim ? column * Dim + row : -1);
@@ -28,8 +28,8 @@ std::vector<int> componentMap(Rank rank, FieldLayout layout) {
 }
 
 template <class T>
-void convert(const double* from, int stride, const std::vector<int>& map, const IdOrder& order,
-             T* to) {
+void convert(const double* from, int stride, const std::vector<int>& map,
+             const particles::IdOrder& order, T* to) {
     const std::size_t width = map.size();
     parallelRanges(order.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
@@ -49,12 +49,13 @@ bool unchangedOrder(const std::vector<int>& map) {
 }  // namespace
 
 template <int Dim>
-std::vector<const FieldBase*> frameFields(const BodyFrames<Dim>& frames) {
-    const ParticleSet<Dim>& particles = frames.body->particles;
-    std::vector<const FieldBase*> result{particles.find(fields::id.name)};
-    if (const FieldBase* mass = particles.find(fields::mass.name)) result.push_back(mass);
+std::vector<const particles::FieldBase*> frameFields(const BodyFrames<Dim>& frames) {
+    const particles::ParticleSet<Dim>& particles = frames.body->particles;
+    std::vector<const particles::FieldBase*> result{particles.find(fields::id.name)};
+    if (const particles::FieldBase* mass = particles.find(fields::mass.name))
+        result.push_back(mass);
     for (const std::string& name : frames.fields) {
-        const FieldBase* field = particles.find(name);
+        const particles::FieldBase* field = particles.find(name);
         if (!field) throw CaseError("body '" + frames.body->name + "' has no field '" + name + "'");
         if (name != fields::position.name &&
             std::find(result.begin(), result.end(), field) == result.end())
@@ -64,22 +65,23 @@ std::vector<const FieldBase*> frameFields(const BodyFrames<Dim>& frames) {
 }
 
 template <int Dim>
-int componentsOf(Rank rank, FieldLayout layout) {
+int componentsOf(particles::Rank rank, FieldLayout layout) {
     return static_cast<int>(componentMap<Dim>(rank, layout).size());
 }
 
-double frameBytes(const std::vector<const FieldBase*>& fields, std::size_t particles,
+double frameBytes(const std::vector<const particles::FieldBase*>& fields, std::size_t particles,
                   double number) {
     double numbers = 0;
-    for (const FieldBase* field : fields) numbers += field->components();
+    for (const particles::FieldBase* field : fields) numbers += field->components();
     return numbers * number * static_cast<double>(particles);
 }
 
 template <int Dim>
-ArrayView ArrayGatherer<Dim>::gather(const FieldBase& field, const IdOrder& order) {
+ArrayView ArrayGatherer<Dim>::gather(const particles::FieldBase& field,
+                                     const particles::IdOrder& order) {
     ArrayView view;
     view.name = field.info().name;
-    if (field.info().rank == Rank::integer) {
+    if (field.info().rank == particles::Rank::integer) {
         view.type = NumberType::int64;
         view.bytes = order.bytes(field, buffer_);
         return view;
@@ -101,7 +103,7 @@ ArrayView ArrayGatherer<Dim>::gather(const FieldBase& field, const IdOrder& orde
     return view;
 }
 
-std::uint64_t fieldFingerprint(const FieldBase& field, const IdOrder& order) {
+std::uint64_t fieldFingerprint(const particles::FieldBase& field, const particles::IdOrder& order) {
     AlignedVector<char> buffer;
     return fingerprint(order.bytes(field, buffer));
 }
@@ -137,10 +139,10 @@ void removeFramesFrom(const Path& folder, std::string_view body, std::string_vie
     for (const Path& path : beyond) removeFile(path);
 }
 
-template std::vector<const FieldBase*> frameFields(const BodyFrames<2>&);
-template std::vector<const FieldBase*> frameFields(const BodyFrames<3>&);
-template int componentsOf<2>(Rank, FieldLayout);
-template int componentsOf<3>(Rank, FieldLayout);
+template std::vector<const particles::FieldBase*> frameFields(const BodyFrames<2>&);
+template std::vector<const particles::FieldBase*> frameFields(const BodyFrames<3>&);
+template int componentsOf<2>(particles::Rank, FieldLayout);
+template int componentsOf<3>(particles::Rank, FieldLayout);
 template class ArrayGatherer<2>;
 template class ArrayGatherer<3>;
 

@@ -17,14 +17,14 @@ namespace sphinx::io {
 /// mass where the body has one, named or not.
 template <int Dim>
 struct BodyFrames {
-    const Body<Dim>* body = nullptr;
+    const bodies::Body<Dim>* body = nullptr;
     std::vector<std::string> fields;
 };
 
 /// The fields of a frame besides the position, each once: id, mass, then the named ones.
 /// Throws CaseError for a name that the body has no field of.
 template <int Dim>
-std::vector<const FieldBase*> frameFields(const BodyFrames<Dim>& frames);
+std::vector<const particles::FieldBase*> frameFields(const BodyFrames<Dim>& frames);
 
 /// Values of one field as a file wants them.
 struct ArrayView {
@@ -48,7 +48,7 @@ class ArrayGatherer {
     ArrayGatherer(FieldLayout layout, bool single_precision)
         : layout_(layout), single_precision_(single_precision) {}
 
-    ArrayView gather(const FieldBase& field, const IdOrder& order);
+    ArrayView gather(const particles::FieldBase& field, const particles::IdOrder& order);
 
  private:
     FieldLayout layout_;
@@ -58,14 +58,14 @@ class ArrayGatherer {
 
 /// Components of a field in that layout.
 template <int Dim>
-int componentsOf(Rank rank, FieldLayout layout);
+int componentsOf(particles::Rank rank, FieldLayout layout);
 
 /// Bytes of a frame of these fields, with so many bytes a number.
-double frameBytes(const std::vector<const FieldBase*>& fields, std::size_t particles,
+double frameBytes(const std::vector<const particles::FieldBase*>& fields, std::size_t particles,
                   double number);
 
 /// Of the values of the field by ascending id, to tell whether it changed.
-std::uint64_t fieldFingerprint(const FieldBase& field, const IdOrder& order);
+std::uint64_t fieldFingerprint(const particles::FieldBase& field, const particles::IdOrder& order);
 
 /// "water_000012.vtu"
 std::string frameName(std::string_view body, std::int64_t frame, std::string_view extension);

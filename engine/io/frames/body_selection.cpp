@@ -82,9 +82,9 @@ class BodySelectionType final : public TypeBase {
 };
 
 template <int Dim>
-BodyFrames<Dim> defaultFrames(const Body<Dim>& body) {
+BodyFrames<Dim> defaultFrames(const bodies::Body<Dim>& body) {
     BodyFrames<Dim> frames{&body, {}};
-    const auto add = [&](const FieldInfo& field) {
+    const auto add = [&](const particles::FieldInfo& field) {
         if (body.particles.find(field.name)) frames.fields.emplace_back(field.name);
     };
     add(fields::velocity);
@@ -104,7 +104,8 @@ Type<BodySelection> bodySelection() {
 }
 
 template <int Dim>
-std::vector<BodyFrames<Dim>> selectFrames(const BodySelection& selection, const World<Dim>& world) {
+std::vector<BodyFrames<Dim>> selectFrames(const BodySelection& selection,
+                                          const bodies::World<Dim>& world) {
     std::vector<BodyFrames<Dim>> frames;
     if (selection.empty()) {
         for (const auto& body : world.bodies)
@@ -112,7 +113,7 @@ std::vector<BodyFrames<Dim>> selectFrames(const BodySelection& selection, const 
         return frames;
     }
     for (const SelectedBody& one : selection) {
-        const Body<Dim>& body = *world.find(one.body.text);
+        const bodies::Body<Dim>& body = *world.find(one.body.text);
         if (!one.fields) {
             frames.push_back(defaultFrames(body));
             continue;
@@ -126,7 +127,7 @@ std::vector<BodyFrames<Dim>> selectFrames(const BodySelection& selection, const 
     return frames;
 }
 
-template std::vector<BodyFrames<2>> selectFrames(const BodySelection&, const World<2>&);
-template std::vector<BodyFrames<3>> selectFrames(const BodySelection&, const World<3>&);
+template std::vector<BodyFrames<2>> selectFrames(const BodySelection&, const bodies::World<2>&);
+template std::vector<BodyFrames<3>> selectFrames(const BodySelection&, const bodies::World<3>&);
 
 }  // namespace sphinx::io

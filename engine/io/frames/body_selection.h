@@ -27,6 +27,7 @@ input::Type<BodySelection> bodySelection();
 
 /// What an output writes of which body. Throws CaseError when a body lacks a field.
 template <int Dim>
-std::vector<BodyFrames<Dim>> selectFrames(const BodySelection& selection, const World<Dim>& world);
+std::vector<BodyFrames<Dim>> selectFrames(const BodySelection& selection,
+                                          const bodies::World<Dim>& world);
 
 }  // namespace sphinx::io

@@ -11,12 +11,12 @@ using namespace hdf5;
 template <int Dim>
 struct Hdf5Output<Dim>::Series {
     struct Member {
-        const FieldBase* field = nullptr;
+        const particles::FieldBase* field = nullptr;
         std::uint64_t fingerprint = 0;
         std::shared_ptr<StoredNode> stored;  // null: not written by this process
     };
 
-    const Body<Dim>* body = nullptr;
+    const bodies::Body<Dim>* body = nullptr;
     std::vector<Member> members;
     std::shared_ptr<Group> group;
     std::shared_ptr<SmallArray> time, step, frame;
@@ -42,7 +42,7 @@ Hdf5Output<Dim>::Hdf5Output(Hdf5Parameters parameters, std::shared_ptr<ResultsFi
         auto series = std::make_unique<Series>();
         series->body = frames.body;
         series->members.push_back({frames.body->particles.find(fields::position.name), 0, nullptr});
-        for (const FieldBase* field : frameFields(frames))
+        for (const particles::FieldBase* field : frameFields(frames))
             series->members.push_back({field, 0, nullptr});
         series->makeGroup(parameters_.units.text(unit::time));
         series_.push_back(std::move(series));
@@ -56,7 +56,7 @@ template <int Dim>
 std::vector<OutputFile> Hdf5Output<Dim>::files() const {
     std::vector<OutputFile> files;
     for (const auto& series : series_) {
-        std::vector<const FieldBase*> fields;
+        std::vector<const particles::FieldBase*> fields;
         for (const auto& member : series->members) fields.push_back(member.field);
         files.push_back(
             {"results.h5:bodies/" + series->body->name,
@@ -74,11 +74,12 @@ void Hdf5Output<Dim>::open() {
 }
 
 template <int Dim>
-std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(const FieldBase& field, const IdOrder& order) {
+std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(const particles::FieldBase& field,
+                                                     const particles::IdOrder& order) {
     const ArrayView view = gatherer_.gather(field, order);
     Dimensions row_shape;
-    if (field.info().rank == Rank::vector) row_shape = {Dim};
-    if (field.info().rank == Rank::matrix) row_shape = {Dim, Dim};
+    if (field.info().rank == particles::Rank::vector) row_shape = {Dim};
+    if (field.info().rank == particles::Rank::matrix) row_shape = {Dim, Dim};
     auto array = std::make_shared<ChunkedArray>(numberOf(view.type), row_shape,
                                                 chunkRowsFor(order.size()), true);
     array->setAttributes({{"unit", parameters_.units.text(field.info().unit)},
@@ -91,7 +92,7 @@ template <int Dim>
 void Hdf5Output<Dim>::write(const Clock& clock) {
     open();
     for (auto& series : series_) {
-        const IdOrder order(series->body->particles);
+        const particles::IdOrder order(series->body->particles);
         Group frame;
         frame.setAttributes({{"time", clock.time}, {"step", clock.steps}});
         for (auto& member : series->members) {

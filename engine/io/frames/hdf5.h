@@ -37,7 +37,8 @@ class Hdf5Output final : public Output {
     struct Series;  // of one body
 
     void open();
-    std::shared_ptr<hdf5::ChunkedArray> store(const FieldBase& field, const IdOrder& order);
+    std::shared_ptr<hdf5::ChunkedArray> store(const particles::FieldBase& field,
+                                              const particles::IdOrder& order);
 
     Hdf5Parameters parameters_;
     std::shared_ptr<ResultsFile> file_;

@@ -20,15 +20,15 @@ std::string quoted(std::string text) {
 
 /// Names of the components of a field: velocity_x, stress_xy.
 template <int Dim>
-std::vector<std::string> componentNames(const FieldInfo& info) {
+std::vector<std::string> componentNames(const particles::FieldInfo& info) {
     const std::string name(info.name);
     const std::string axes = "xyz";
     std::vector<std::string> names;
     if (info.name == fields::position.name)
         for (int k = 0; k < Dim; ++k) names.emplace_back(1, axes[k]);
-    else if (info.rank == Rank::vector)
+    else if (info.rank == particles::Rank::vector)
         for (int k = 0; k < Dim; ++k) names.push_back(name + "_" + axes[k]);
-    else if (info.rank == Rank::matrix)  // column by column, as in memory
+    else if (info.rank == particles::Rank::matrix)  // column by column, as in memory
         for (int column = 0; column < Dim; ++column)
             for (int row = 0; row < Dim; ++row)
                 names.push_back(name + "_" + axes[row] + axes[column]);
@@ -37,12 +37,12 @@ std::vector<std::string> componentNames(const FieldInfo& info) {
     return names;
 }
 
-std::string formatLines(const std::vector<const FieldBase*>& fields, const IdOrder& order,
-                        std::size_t begin, std::size_t end) {
+std::string formatLines(const std::vector<const particles::FieldBase*>& fields,
+                        const particles::IdOrder& order, std::size_t begin, std::size_t end) {
     std::string text;
     for (std::size_t k = begin; k < end; ++k) {
         const std::size_t i = order[k];
-        for (const FieldBase* field : fields) {
+        for (const particles::FieldBase* field : fields) {
             const auto width = static_cast<std::size_t>(field->components());
             for (std::size_t c = 0; c < width; ++c) {
                 if (const std::int64_t* integers = field->integers())
@@ -69,7 +69,7 @@ TecplotOutput<Dim>::TecplotOutput(TecplotParameters parameters,
         series.fields = frameFields(frames);
         series.fields.insert(series.fields.begin(),
                              frames.body->particles.find(fields::position.name));
-        for (const FieldBase* field : series.fields) {
+        for (const particles::FieldBase* field : series.fields) {
             const std::string unit = parameters_.units.text(field->info().unit);
             for (const std::string& name : componentNames<Dim>(field->info()))
                 series.variables += " " + quoted(unit.empty() ? name : name + " [" + unit + "]");
@@ -93,7 +93,7 @@ void TecplotOutput<Dim>::write(const Clock& clock) {
     int strand = 0;
     for (const Series& series : series_) {
         ++strand;
-        const IdOrder order(series.body->particles);
+        const particles::IdOrder order(series.body->particles);
         const std::size_t particles = order.size();
         if (particles == 0) continue;
         std::string header =

@@ -32,8 +32,8 @@ class TecplotOutput final : public Output {
 
  private:
     struct Series {
-        const Body<Dim>* body = nullptr;
-        std::vector<const FieldBase*> fields;  // position first
+        const bodies::Body<Dim>* body = nullptr;
+        std::vector<const particles::FieldBase*> fields;  // position first
         std::string variables;
     };
 

@@ -21,7 +21,7 @@ class VtkHdfOutput<Dim>::Series {
           body_(frames.body),
           path_(parameters.folder / (frames.body->name + ".vtkhdf")) {
         members_.push_back({frames.body->particles.find(fields::position.name)});
-        for (const FieldBase* field : frameFields(frames)) members_.push_back({field});
+        for (const particles::FieldBase* field : frameFields(frames)) members_.push_back({field});
     }
 
     void write(const Clock& clock, std::int64_t frame) {
@@ -29,7 +29,7 @@ class VtkHdfOutput<Dim>::Series {
         VtkHdfStep step;
         step.time = clock.time;
         step.frame = frame;
-        const IdOrder order(body_->particles);
+        const particles::IdOrder order(body_->particles);
         step.part = layout_->part(*file_, order.size());
         for (std::size_t m = 0; m < members_.size(); ++m) {
             Member& member = members_[m];
@@ -65,7 +65,7 @@ class VtkHdfOutput<Dim>::Series {
     const std::string& name() const { return body_->name; }
 
     OutputFile file() const {
-        std::vector<const FieldBase*> fields;
+        std::vector<const particles::FieldBase*> fields;
         for (const Member& member : members_) fields.push_back(member.field);
         return {path_.filename().string(),
                 frameBytes(fields, body_->size(), parameters_.single_precision ? 4 : 8)};
@@ -84,7 +84,7 @@ class VtkHdfOutput<Dim>::Series {
 
  private:
     struct Member {
-        const FieldBase* field;
+        const particles::FieldBase* field;
         std::uint64_t fingerprint = 0;
         std::int64_t row = -1;           // where it was written last, -1: nowhere
         bool fingerprint_known = false;  // from the run that this one goes on with
@@ -98,12 +98,12 @@ class VtkHdfOutput<Dim>::Series {
     void makeLayout() {
         std::vector<VtkHdfArray> arrays;
         for (const Member& member : members_) {
-            const FieldInfo& info = member.field->info();
+            const particles::FieldInfo& info = member.field->info();
             VtkHdfArray array;
             array.name = info.name;
-            array.type = info.rank == Rank::integer     ? Number::int64
-                         : parameters_.single_precision ? Number::float32
-                                                        : Number::float64;
+            array.type = info.rank == particles::Rank::integer ? Number::int64
+                         : parameters_.single_precision        ? Number::float32
+                                                               : Number::float64;
             array.components = componentsOf<Dim>(info.rank, FieldLayout::padded);
             array.attributes = {{"unit", parameters_.units.text(info.unit)},
                                 {"description", std::string(info.doc)}};
@@ -115,7 +115,7 @@ class VtkHdfOutput<Dim>::Series {
 
     const VtkHdfParameters& parameters_;
     ArrayGatherer<Dim> gatherer_;
-    const Body<Dim>* body_;
+    const bodies::Body<Dim>* body_;
     Path path_;
     std::vector<Member> members_;  // the first one is the position
     std::optional<SafeFile> file_;

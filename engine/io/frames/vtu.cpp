@@ -123,24 +123,25 @@ class Appender {
 
 template <int Dim>
 struct VtuOutput<Dim>::Series {
-    const Body<Dim>* body = nullptr;
-    const FieldBase* position = nullptr;
-    std::vector<const FieldBase*> fields;
+    const bodies::Body<Dim>* body = nullptr;
+    const particles::FieldBase* position = nullptr;
+    std::vector<const particles::FieldBase*> fields;
     VertexCells cells;
     std::vector<PvdEntry> entries;
     std::uint64_t last_fingerprint = 0;
     std::string last_file;  // empty: none yet
 
     /// Of what a frame would hold: a resumed run may write other fields in another precision.
-    std::uint64_t fingerprint(bool single_precision, const IdOrder& order) const {
+    std::uint64_t fingerprint(bool single_precision, const particles::IdOrder& order) const {
         std::string names = single_precision ? "single" : "double";
-        for (const FieldBase* field : fields) names += " " + std::string(field->info().name);
+        for (const particles::FieldBase* field : fields)
+            names += " " + std::string(field->info().name);
         std::uint64_t sum = io::fingerprint(names);
-        const auto add = [&](const FieldBase& field) {
+        const auto add = [&](const particles::FieldBase& field) {
             sum = std::rotl(sum, 7) * 31 + fieldFingerprint(field, order);
         };
         add(*position);
-        for (const FieldBase* field : fields) add(*field);
+        for (const particles::FieldBase* field : fields) add(*field);
         return sum;
     }
     void transfer(Archive& archive) {
@@ -171,7 +172,7 @@ template <int Dim>
 std::vector<OutputFile> VtuOutput<Dim>::files() const {
     std::vector<OutputFile> files;
     for (const auto& series : series_) {
-        std::vector<const FieldBase*> fields = series->fields;
+        std::vector<const particles::FieldBase*> fields = series->fields;
         fields.push_back(series->position);
         files.push_back(
             {series->body->name + "_*.vtu",
@@ -183,7 +184,7 @@ std::vector<OutputFile> VtuOutput<Dim>::files() const {
 template <int Dim>
 void VtuOutput<Dim>::write(const Clock& clock) {
     for (auto& series : series_) {
-        const IdOrder order(series->body->particles);
+        const particles::IdOrder order(series->body->particles);
         const std::uint64_t now = series->fingerprint(parameters_.single_precision, order);
         if (series->last_file.empty() || now != series->last_fingerprint) {
             const std::string name = frameName(series->body->name, frames_, ".vtu");
@@ -199,11 +200,11 @@ void VtuOutput<Dim>::write(const Clock& clock) {
 }
 
 template <int Dim>
-void VtuOutput<Dim>::writeFrame(Series& series, const IdOrder& order, const Path& path,
+void VtuOutput<Dim>::writeFrame(Series& series, const particles::IdOrder& order, const Path& path,
                                 double time) {
     const std::size_t n = order.size();
     const char* number = parameters_.single_precision ? "Float32" : "Float64";
-    const auto unit = [&](const FieldBase& field) {
+    const auto unit = [&](const particles::FieldBase& field) {
         return parameters_.units.text(field.info().unit);
     };
     Header header;
@@ -217,9 +218,9 @@ void VtuOutput<Dim>::writeFrame(Series& series, const IdOrder& order, const Path
     for (const auto& [name, value] : parameters_.provenance.entries) header.string(name, value);
     header.text("</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(n) +
                 "\" NumberOfCells=\"" + std::to_string(n) + "\">\n<PointData>\n");
-    for (const FieldBase* field : series.fields) {
-        const Rank rank = field->info().rank;
-        header.array(rank == Rank::integer ? typeName(NumberType::int64) : number,
+    for (const particles::FieldBase* field : series.fields) {
+        const particles::Rank rank = field->info().rank;
+        header.array(rank == particles::Rank::integer ? typeName(NumberType::int64) : number,
                      field->info().name, componentsOf<Dim>(rank, FieldLayout::padded),
                      unit(*field));
     }
@@ -233,7 +234,7 @@ void VtuOutput<Dim>::writeFrame(Series& series, const IdOrder& order, const Path
 
     AtomicFile file(path);
     Appender appender(file, header);
-    for (const FieldBase* field : series.fields)
+    for (const particles::FieldBase* field : series.fields)
         appender.add(encode(gatherer_.gather(*field, order).bytes));
     appender.add(encode(gatherer_.gather(*series.position, order).bytes));
     series.cells.update(n);

@@ -38,7 +38,7 @@ class VtuOutput final : public Output {
  private:
     struct Series;  // of one body
 
-    void writeFrame(Series& series, const IdOrder& order, const Path& path, double time);
+    void writeFrame(Series& series, const particles::IdOrder& order, const Path& path, double time);
 
     VtuParameters parameters_;
     ArrayGatherer<Dim> gatherer_;

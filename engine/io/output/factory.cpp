@@ -16,15 +16,15 @@ void failAt(const input::Place& place, const std::string& message) {
 }
 
 template <int Dim>
-const FieldBase& fieldOf(const Body<Dim>& body, const input::Name& field) {
-    if (const FieldBase* found = body.particles.find(field.text)) return *found;
+const particles::FieldBase& fieldOf(const bodies::Body<Dim>& body, const input::Name& field) {
+    if (const particles::FieldBase* found = body.particles.find(field.text)) return *found;
     std::vector<std::string> names;
     for (const auto& one : body.particles.all()) names.emplace_back(one->info().name);
     failAt(field.place, "'" + body.name + "' has no field '" + field.text + "' in this case" +
                             input::didYouMean(field.text, names));
 }
 
-template const FieldBase& fieldOf(const Body<2>&, const input::Name&);
-template const FieldBase& fieldOf(const Body<3>&, const input::Name&);
+template const particles::FieldBase& fieldOf(const bodies::Body<2>&, const input::Name&);
+template const particles::FieldBase& fieldOf(const bodies::Body<3>&, const input::Name&);
 
 }  // namespace sphinx::io

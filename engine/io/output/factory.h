@@ -23,17 +23,17 @@ namespace sphinx::io {
 /// as long as the outputs.
 template <int Dim>
 struct OutputContext {
-    World<Dim>& world;
-    Relations<Dim>& relations;
+    bodies::World<Dim>& world;
+    neighbors::Relations<Dim>& relations;
     Path folder;  ///< of the results; it exists when outputs write
     input::UnitSystem units;
     Provenance provenance;
     std::shared_ptr<ResultsFile> results;  ///< results.h5
     std::function<Progress()> progress;    ///< called at writes only
     /// Those that the loop calls: they know the forces between fluids and solids.
-    std::vector<const Method*> methods;
+    std::vector<const dynamics::Method*> methods;
     /// Observers that follow the material (`follows: material`).
-    std::vector<const Body<Dim>*> followers;
+    std::vector<const bodies::Body<Dim>*> followers;
 };
 
 /// What Declaration::builder of Kind::output holds. The component is the entry of the case. Throws
@@ -71,6 +71,6 @@ OutputFactory outputFactory(Make make) {
 
 /// The field of the body that the case names; failAt() when it has none.
 template <int Dim>
-const FieldBase& fieldOf(const Body<Dim>& body, const input::Name& field);
+const particles::FieldBase& fieldOf(const bodies::Body<Dim>& body, const input::Name& field);
 
 }  // namespace sphinx::io

@@ -60,7 +60,7 @@ AlignedVector<std::int64_t> readValues(XmlReader& reader, bool integers, std::si
 
 template <int Dim>
 void readBody(XmlReader& reader, const XmlElement& element, const RestartBody<Dim>& target) {
-    ParticleSet<Dim>& particles = target.body->particles;
+    particles::ParticleSet<Dim>& particles = target.body->particles;
     const std::int64_t most = std::numeric_limits<Index>::max();
     const auto count = static_cast<std::size_t>(reader.count(element, "particles", most));
     const std::int64_t next_id =
@@ -90,12 +90,12 @@ void readBody(XmlReader& reader, const XmlElement& element, const RestartBody<Di
             reader.skip();
             continue;
         }
-        FieldBase* field = particles.find(name);
+        particles::FieldBase* field = particles.find(name);
         if (!field) reader.fail("body '" + target.body->name + "' has no field '" + name + "'");
         const std::int64_t components = field->components();
         if (reader.count(child, "components", 100) != components)
             reader.fail("field '" + name + "' has another number of components");
-        const bool integers = field->info().rank == Rank::integer;
+        const bool integers = field->info().rank == particles::Rank::integer;
         const std::size_t values = count * static_cast<std::size_t>(components);
         const AlignedVector<std::int64_t> bits = readValues(reader, integers, values);
         if (bits.size() != values) reader.fail("field '" + name + "' has too few values");

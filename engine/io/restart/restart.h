@@ -40,7 +40,7 @@ enum class RestartEncoding {
 /// A body and its state fields: id and position always, the others by name.
 template <int Dim>
 struct RestartBody {
-    Body<Dim>* body = nullptr;
+    bodies::Body<Dim>* body = nullptr;
     std::vector<std::string> fields;
 };
 

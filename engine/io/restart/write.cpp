@@ -38,19 +38,19 @@ std::string attribute(std::string_view name, std::string_view value) {
     return " " + std::string(name) + "=\"" + escaped(value) + "\"";
 }
 
-const char* rankName(Rank rank) {
+const char* rankName(particles::Rank rank) {
     switch (rank) {
-        case Rank::scalar: return "scalar";
-        case Rank::vector: return "vector";
-        case Rank::matrix: return "matrix";
-        case Rank::integer: break;
+        case particles::Rank::scalar: return "scalar";
+        case particles::Rank::vector: return "vector";
+        case particles::Rank::matrix: return "matrix";
+        case particles::Rank::integer: break;
     }
     return "integer";
 }
 
-void writeField(Stream& stream, const FieldBase& field, const IdOrder& order,
+void writeField(Stream& stream, const particles::FieldBase& field, const particles::IdOrder& order,
                 RestartEncoding encoding) {
-    const bool integers = field.info().rank == Rank::integer;
+    const bool integers = field.info().rank == particles::Rank::integer;
     stream.write("<field" + attribute("name", field.info().name) +
                  attribute("rank", rankName(field.info().rank)) +
                  attribute("components", std::to_string(field.components())) + ">\n");
@@ -104,8 +104,8 @@ void writeRestart(const Path& path, const RestartHeader& header, const StateTran
     stream.write(text);
     stream.write("<state>\n" + archive.xml() + "</state>\n");
     for (const RestartBody<Dim>& entry : bodies) {
-        const ParticleSet<Dim>& particles = entry.body->particles;
-        const IdOrder order(particles);
+        const particles::ParticleSet<Dim>& particles = entry.body->particles;
+        const particles::IdOrder order(particles);
         stream.write("<body" + attribute("name", entry.body->name) +
                      attribute("particles", std::to_string(particles.size())) +
                      attribute("next_id", std::to_string(particles.nextId())) + ">\n");

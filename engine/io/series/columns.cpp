@@ -5,11 +5,11 @@
 namespace sphinx::io {
 
 template <int Dim>
-std::vector<std::string> componentLabels(Rank rank) {
+std::vector<std::string> componentLabels(particles::Rank rank) {
     static const std::string axes[] = {"x", "y", "z"};
     std::vector<std::string> labels;
-    if (rank == Rank::vector) labels.assign(axes, axes + Dim);
-    if (rank == Rank::matrix)
+    if (rank == particles::Rank::vector) labels.assign(axes, axes + Dim);
+    if (rank == particles::Rank::matrix)
         for (int row = 0; row < Dim; ++row)
             for (int column = 0; column < Dim; ++column) labels.push_back(axes[row] + axes[column]);
     return labels;
@@ -27,7 +27,7 @@ std::vector<std::string> pointLabels(std::size_t points,
     return labels;
 }
 
-template std::vector<std::string> componentLabels<2>(Rank);
-template std::vector<std::string> componentLabels<3>(Rank);
+template std::vector<std::string> componentLabels<2>(particles::Rank);
+template std::vector<std::string> componentLabels<3>(particles::Rank);
 
 }  // namespace sphinx::io

@@ -9,7 +9,7 @@ namespace sphinx::loop {
 std::vector<Issue> checkLoop(const LoopFacts& facts) {
     const Flow flow(facts);
     std::vector<Issue> issues;
-    checkLayers(facts, flow, issues);
+    checkTimeSteps(facts, flow, issues);
     checkFields(facts, flow, issues);
     checkEnded(facts, flow, issues);
     checkAccumulation(facts, flow, issues);

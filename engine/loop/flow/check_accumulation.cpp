@@ -40,7 +40,7 @@ void checkNesting(const Layer& layer, Outer outer, std::vector<Issue>& issues) {
 /// The line that accumulates this field first.
 const Line* firstAccumulator(const Flow& flow, const FieldKey& key) {
     for (const FlowNode& node : flow.nodes())
-        if (node.line && has(*node.line, AccessMode::accumulate, key)) return node.line;
+        if (node.line && has(*node.line, input::AccessMode::accumulate, key)) return node.line;
     return nullptr;
 }
 
@@ -71,9 +71,9 @@ void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Iss
     for (std::size_t k = 0; k < flow.nodes().size(); ++k) {
         const Line* line = flow.nodes()[k].line;
         if (!line || !seen.insert(line).second) continue;
-        for (const FieldAccess& access : line->accesses) {
+        for (const dynamics::FieldAccess& access : line->accesses) {
             const FieldKey key{access.body, access.field};
-            if (access.mode == AccessMode::write) {
+            if (access.mode == input::AccessMode::write) {
                 const Line* adding = firstAccumulator(flow, key);
                 if (adding && adding != line && k > flow.loopBegins().front())
                     issues.push_back(
@@ -82,7 +82,7 @@ void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Iss
                                      "only one way of writing a field can be used",
                                      line->label, key.second, key.first, adding->label)});
             }
-            if (access.mode != AccessMode::accumulate) continue;
+            if (access.mode != input::AccessMode::accumulate) continue;
             if (line->every)
                 issues.push_back(
                     {Severity::warning, line->id,

@@ -27,9 +27,9 @@ class EndedCheck {
             const FlowNode& node = flow.nodes()[k];
             if (node.kind == FlowNode::Kind::zero) add(node.zeroed, node);
             if (!node.line) continue;
-            for (const FieldAccess& access : node.line->accesses) {
-                if (changes(access.mode)) add({access.body, access.field}, node);
-                if (access.mode == AccessMode::release)
+            for (const dynamics::FieldAccess& access : node.line->accesses) {
+                if (input::changes(access.mode)) add({access.body, access.field}, node);
+                if (access.mode == input::AccessMode::release)
                     released_.insert({access.body, access.field});
             }
         }
@@ -38,8 +38,8 @@ class EndedCheck {
     void run() {
         for (const FlowNode& node : flow_.nodes())
             if (node.line && steps_.count(node.line) > 0)
-                for (const FieldAccess& access : node.line->accesses)
-                    if (access.mode == AccessMode::read)
+                for (const dynamics::FieldAccess& access : node.line->accesses)
+                    if (access.mode == input::AccessMode::read)
                         judge(*node.line, node.epoch, {access.body, access.field});
     }
 
@@ -63,7 +63,7 @@ class EndedCheck {
         const auto last = last_.find(key);
         // What no longer moves is where it is; lists and loads have checks of their own.
         if (last == last_.end() || epoch <= last->second.epoch || key.second == "position" ||
-            isPseudoField(key.second) || released_.count(key) > 0)
+            dynamics::isPseudoField(key.second) || released_.count(key) > 0)
             return;
         const bool known = std::any_of(issues_.begin(), issues_.end(),
                                        [&](const Issue& issue) { return issue.id == reader.id; });

@@ -12,13 +12,14 @@ namespace {
 
 using Defined = std::set<FieldKey>;
 
-bool isField(const FieldAccess& access) { return !isPseudoField(access.field); }
+bool isField(const dynamics::FieldAccess& access) { return !dynamics::isPseudoField(access.field); }
 
 void define(const FlowNode& node, Defined& defined) {
     if (node.kind == FlowNode::Kind::zero) defined.insert(node.zeroed);
     if (!node.line || node.line->every) return;
-    for (const FieldAccess& access : node.line->accesses)
-        if (isField(access) && changes(access.mode)) defined.insert({access.body, access.field});
+    for (const dynamics::FieldAccess& access : node.line->accesses)
+        if (isField(access) && input::changes(access.mode))
+            defined.insert({access.body, access.field});
 }
 
 bool intersect(Defined& into, const Defined& from) {
@@ -35,9 +36,9 @@ struct Writers {
     Writers(const Flow& flow, const Line& reader, const FieldKey& key) {
         for (const FlowNode& node : flow.nodes()) {
             if (!node.line || node.line == &reader) continue;
-            const bool writes = has(*node.line, AccessMode::write, key);
-            if (!writes && !has(*node.line, AccessMode::accumulate, key)) continue;
-            const bool reads = writes && has(*node.line, AccessMode::read, key);
+            const bool writes = has(*node.line, input::AccessMode::write, key);
+            if (!writes && !has(*node.line, input::AccessMode::accumulate, key)) continue;
+            const bool reads = writes && has(*node.line, input::AccessMode::read, key);
             const Line*& writer = reads                         ? updates
                                   : node.line->every            ? sometimes
                                   : node.line->window.limited() ? limited
@@ -131,9 +132,10 @@ void checkFields(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& i
     for (std::size_t k = 0; k < flow.nodes().size(); ++k) {
         const Line* line = flow.nodes()[k].line;
         if (!line) continue;
-        for (const FieldAccess& access : line->accesses) {
+        for (const dynamics::FieldAccess& access : line->accesses) {
             const FieldKey key{access.body, access.field};
-            if (access.mode != AccessMode::read || !isField(access) || before[k].count(key) > 0)
+            if (access.mode != input::AccessMode::read || !isField(access) ||
+                before[k].count(key) > 0)
                 continue;
             check.report(*line, key);
         }

@@ -19,7 +19,7 @@ using LoadStates = std::map<std::string, LoadState>;  ///< by fluid
 
 class LoadCheck {
  public:
-    LoadCheck(const FeltLoad& load, const LoopFacts& facts, const Flow& flow,
+    LoadCheck(const dynamics::FeltLoad& load, const LoopFacts& facts, const Flow& flow,
               std::vector<Issue>& issues)
         : load_(load), facts_(facts), flow_(flow), issues_(issues) {}
 
@@ -31,7 +31,7 @@ class LoadCheck {
         for (std::size_t k = 0; k < flow_.nodes().size(); ++k)
             if (const Line* line = flow_.nodes()[k].line)
                 for (const auto& [fluid, state] : before[k])
-                    if (has(*line, AccessMode::read, loadOf(fluid)) && !state.fresh)
+                    if (has(*line, input::AccessMode::read, loadOf(fluid)) && !state.fresh)
                         report(flow_.nodes()[k], fluid, state);
     }
 
@@ -42,9 +42,9 @@ class LoadCheck {
         if (!node.line) return;
         for (auto& [fluid, state] : states) {
             const FieldKey cause{fluid, std::string(load_.stale_by)};
-            if (state.fresh && has(*node.line, AccessMode::write, cause))
+            if (state.fresh && has(*node.line, input::AccessMode::write, cause))
                 state = {false, node.line};
-            if (!node.line->every && has(*node.line, AccessMode::write, loadOf(fluid)))
+            if (!node.line->every && has(*node.line, input::AccessMode::write, loadOf(fluid)))
                 state = {true, nullptr};
         }
     }
@@ -66,7 +66,7 @@ class LoadCheck {
             fmt::format("{} hands on the {} that {} has felt", line.label, load_.what, fluid);
         const Line* writer = nullptr;
         for (const FlowNode& node : flow_.nodes())
-            if (!writer && node.line && has(*node.line, AccessMode::write, loadOf(fluid)))
+            if (!writer && node.line && has(*node.line, input::AccessMode::write, loadOf(fluid)))
                 writer = node.line;
         if (!writer)
             issues_.push_back(
@@ -93,7 +93,7 @@ class LoadCheck {
         return names;
     }
 
-    const FeltLoad& load_;
+    const dynamics::FeltLoad& load_;
     const LoopFacts& facts_;
     const Flow& flow_;
     std::vector<Issue>& issues_;
@@ -103,7 +103,8 @@ class LoadCheck {
 }  // namespace
 
 void checkLoads(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues) {
-    for (const FeltLoad& load : felt_loads) LoadCheck(load, facts, flow, issues).run();
+    for (const dynamics::FeltLoad& load : dynamics::felt_loads)
+        LoadCheck(load, facts, flow, issues).run();
 }
 
 }  // namespace sphinx::loop

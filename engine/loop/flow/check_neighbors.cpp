@@ -23,22 +23,24 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-FieldKey listsOf(const std::string& body) { return {body, std::string(pseudo_field::neighbors)}; }
+FieldKey listsOf(const std::string& body) {
+    return {body, std::string(dynamics::pseudo_field::neighbors)};
+}
 
 bool rebuilds(const Line& line, const ListFacts& list) {
-    return has(line, AccessMode::write, listsOf(list.owner)) ||
-           has(line, AccessMode::write, listsOf(list.other));
+    return has(line, input::AccessMode::write, listsOf(list.owner)) ||
+           has(line, input::AccessMode::write, listsOf(list.other));
 }
 
 /// The body of the list that the line moves, or nullptr.
 const std::string* moved(const Line& line, const ListFacts& list) {
     for (const std::string* body : {&list.owner, &list.other})
-        if (has(line, AccessMode::write, {*body, "position"})) return body;
+        if (has(line, input::AccessMode::write, {*body, "position"})) return body;
     return nullptr;
 }
 
 bool needs(const Line& line, const ListFacts& list, std::string_view how) {
-    return has(line, AccessMode::read, {list.owner, std::string(how)});
+    return has(line, input::AccessMode::read, {list.owner, std::string(how)});
 }
 
 class NeighborCheck {
@@ -65,14 +67,14 @@ class NeighborCheck {
     void addImplicitLists() {
         for (const FlowNode& node : flow_.nodes()) {
             if (!node.line) continue;
-            for (const FieldAccess& access : node.line->accesses) {
-                if (access.field != pseudo_field::neighbors &&
-                    access.field != pseudo_field::fresh_neighbors)
+            for (const dynamics::FieldAccess& access : node.line->accesses) {
+                if (access.field != dynamics::pseudo_field::neighbors &&
+                    access.field != dynamics::pseudo_field::fresh_neighbors)
                     continue;
                 const bool known =
                     std::any_of(lists_.begin(), lists_.end(),
                                 [&](const ListFacts& l) { return l.owner == access.body; });
-                if (!known && access.mode == AccessMode::read)
+                if (!known && access.mode == input::AccessMode::read)
                     lists_.push_back({access.body, access.body, false});
             }
         }
@@ -140,8 +142,8 @@ class NeighborCheck {
         for (std::size_t k = 0; k < lists_.size(); ++k) {
             const ListFacts& list = lists_[k];
             const ListState& state = states[k];
-            const bool fresh = needs(line, list, pseudo_field::fresh_neighbors);
-            if (!fresh && !needs(line, list, pseudo_field::neighbors)) continue;
+            const bool fresh = needs(line, list, dynamics::pseudo_field::fresh_neighbors);
+            if (!fresh && !needs(line, list, dynamics::pseudo_field::neighbors)) continue;
             if (state.level == Level::missing && !state.cause)
                 report(line, list.owner,
                        fmt::format("{} uses the neighbors of {} before they were built: {} in "
@@ -171,7 +173,7 @@ class NeighborCheck {
             const auto user = flow_.find(
                 flow_.nodes()[end].next,
                 [&](const FlowNode& node) {
-                    return node.line && needs(*node.line, list, pseudo_field::neighbors);
+                    return node.line && needs(*node.line, list, dynamics::pseudo_field::neighbors);
                 },
                 [&](const FlowNode& node) {
                     return node.line && !node.line->every && rebuilds(*node.line, list);

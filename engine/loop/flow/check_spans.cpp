@@ -18,31 +18,31 @@ class SpanCheck {
             if (body.moves) moving_.insert(body.name);
         for (const FlowNode& node : flow.nodes())
             if (node.line)
-                for (const FieldAccess& access : node.line->accesses)
-                    if (access.mode == AccessMode::open)
+                for (const dynamics::FieldAccess& access : node.line->accesses)
+                    if (access.mode == input::AccessMode::open)
                         opened_.insert({access.body, access.field});
     }
 
     void run() {
         for (const FieldKey& span : opened_) {
-            unopened(span, AccessMode::close, "ends");
-            unopened(span, AccessMode::within, "acts within");
+            unopened(span, input::AccessMode::close, "ends");
+            unopened(span, input::AccessMode::within, "acts within");
             reopened(span);
             permuted(span);
         }
         for (const FlowNode& node : flow_.nodes())
             if (node.line)
-                for (const FieldAccess& access : node.line->accesses)
+                for (const dynamics::FieldAccess& access : node.line->accesses)
                     neverOpened(*node.line, access);
     }
 
  private:
-    bool uses(std::size_t node, AccessMode mode, const FieldKey& span) const {
+    bool uses(std::size_t node, input::AccessMode mode, const FieldKey& span) const {
         const Line* line = flow_.nodes()[node].line;
         return line && has(*line, mode, span);
     }
     /// Nodes that follow those of that mode.
-    std::vector<std::size_t> after(AccessMode mode, const FieldKey& span) const {
+    std::vector<std::size_t> after(input::AccessMode mode, const FieldKey& span) const {
         std::vector<std::size_t> from;
         for (std::size_t k = 0; k < flow_.nodes().size(); ++k)
             if (uses(k, mode, span))
@@ -50,10 +50,10 @@ class SpanCheck {
         return from;
     }
     /// A line of that mode where the span is closed. In start a constraint may act before any step.
-    void unopened(const FieldKey& span, AccessMode mode, const char* does) {
-        std::vector<std::size_t> from = after(AccessMode::close, span);
+    void unopened(const FieldKey& span, input::AccessMode mode, const char* does) {
+        std::vector<std::size_t> from = after(input::AccessMode::close, span);
         from.insert(from.end(), flow_.loopBegins().begin(), flow_.loopBegins().end());
-        if (mode == AccessMode::close) from.push_back(0);
+        if (mode == input::AccessMode::close) from.push_back(0);
         const std::size_t loop = flow_.loopBegins().front();
         const auto index = [&](const FlowNode& node) {
             return static_cast<std::size_t>(&node - flow_.nodes().data());
@@ -63,27 +63,28 @@ class SpanCheck {
             [&](const FlowNode& node) {
                 const bool in_start = index(node) < loop;
                 return node.line && has(*node.line, mode, span) &&
-                       !(in_start && mode == AccessMode::within);
+                       !(in_start && mode == input::AccessMode::within);
             },
             [&](const FlowNode& node) {
-                return node.line && has(*node.line, AccessMode::open, span);
+                return node.line && has(*node.line, input::AccessMode::open, span);
             });
         if (found)
             report(*flow_.nodes()[*found].line,
                    fmt::format("{} {} a {} of {}, but none has begun there: it belongs {} {}",
                                flow_.nodes()[*found].line->label, does, span.second, span.first,
-                               mode == AccessMode::close ? "after" : "between",
-                               mode == AccessMode::close ? opener(span)
-                                                         : opener(span) + " and " + closer(span)));
+                               mode == input::AccessMode::close ? "after" : "between",
+                               mode == input::AccessMode::close
+                                   ? opener(span)
+                                   : opener(span) + " and " + closer(span)));
     }
     void reopened(const FieldKey& span) {
         const auto found = flow_.find(
-            after(AccessMode::open, span),
+            after(input::AccessMode::open, span),
             [&](const FlowNode& node) {
-                return node.line && has(*node.line, AccessMode::open, span);
+                return node.line && has(*node.line, input::AccessMode::open, span);
             },
             [&](const FlowNode& node) {
-                return node.line && has(*node.line, AccessMode::close, span);
+                return node.line && has(*node.line, input::AccessMode::close, span);
             });
         if (found)
             report(*flow_.nodes()[*found].line,
@@ -94,14 +95,14 @@ class SpanCheck {
     /// Who opened it may have kept values particle by particle.
     void permuted(const FieldKey& span) {
         const auto found = flow_.find(
-            after(AccessMode::open, span),
+            after(input::AccessMode::open, span),
             [&](const FlowNode& node) {
                 return node.line &&
                        std::find(node.line->permutes.begin(), node.line->permutes.end(),
                                  span.first) != node.line->permutes.end();
             },
             [&](const FlowNode& node) {
-                return node.line && has(*node.line, AccessMode::close, span);
+                return node.line && has(*node.line, input::AccessMode::close, span);
             });
         if (found)
             report(*flow_.nodes()[*found].line,
@@ -111,22 +112,26 @@ class SpanCheck {
                                closer(span)));
     }
     /// A wall that is moved has no steps.
-    void neverOpened(const Line& line, const FieldAccess& access) {
-        const bool needed = access.mode == AccessMode::close ||
-                            (access.mode == AccessMode::within && moving_.count(access.body) > 0);
+    void neverOpened(const Line& line, const dynamics::FieldAccess& access) {
+        const bool needed =
+            access.mode == input::AccessMode::close ||
+            (access.mode == input::AccessMode::within && moving_.count(access.body) > 0);
         if (needed && opened_.count({access.body, access.field}) == 0)
-            report(line, fmt::format("{} {} a {} of {} that no line begins", line.label,
-                                     access.mode == AccessMode::close ? "ends" : "acts within",
-                                     access.field, access.body));
+            report(line,
+                   fmt::format("{} {} a {} of {} that no line begins", line.label,
+                               access.mode == input::AccessMode::close ? "ends" : "acts within",
+                               access.field, access.body));
     }
-    std::string labelOf(AccessMode mode, const FieldKey& span, const char* none) const {
+    std::string labelOf(input::AccessMode mode, const FieldKey& span, const char* none) const {
         for (const FlowNode& node : flow_.nodes())
             if (node.line && has(*node.line, mode, span)) return node.line->label;
         return none;
     }
-    std::string opener(const FieldKey& span) const { return labelOf(AccessMode::open, span, ""); }
+    std::string opener(const FieldKey& span) const {
+        return labelOf(input::AccessMode::open, span, "");
+    }
     std::string closer(const FieldKey& span) const {
-        return labelOf(AccessMode::close, span, "its end");
+        return labelOf(input::AccessMode::close, span, "its end");
     }
     void report(const Line& line, std::string text) {
         if (reported_.insert(line.id).second)

@@ -11,7 +11,7 @@
 namespace sphinx::loop {
 
 /// Time steps, fit policies, bodies that nothing moves.
-void checkLayers(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
+void checkTimeSteps(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// Reads before writes.
 void checkFields(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues);
 /// Reads of what has ceased to be written.

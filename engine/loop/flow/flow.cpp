@@ -107,19 +107,20 @@ std::optional<std::size_t> Flow::find(std::vector<std::size_t> from, const Predi
     return std::nullopt;
 }
 
-bool has(const Line& line, AccessMode mode, const FieldKey& key) {
-    return std::any_of(line.accesses.begin(), line.accesses.end(), [&](const FieldAccess& access) {
-        return access.mode == mode && access.body == key.first && access.field == key.second;
-    });
+bool has(const Line& line, input::AccessMode mode, const FieldKey& key) {
+    return std::any_of(
+        line.accesses.begin(), line.accesses.end(), [&](const dynamics::FieldAccess& access) {
+            return access.mode == mode && access.body == key.first && access.field == key.second;
+        });
 }
 
 bool reads(const FlowNode& node, const FieldKey& key) {
-    return node.line && has(*node.line, AccessMode::read, key);
+    return node.line && has(*node.line, input::AccessMode::read, key);
 }
 
 bool replaces(const FlowNode& node, const FieldKey& key) {
     if (node.kind == FlowNode::Kind::zero) return node.zeroed == key;
-    return node.line && !node.line->every && has(*node.line, AccessMode::write, key);
+    return node.line && !node.line->every && has(*node.line, input::AccessMode::write, key);
 }
 
 }  // namespace sphinx::loop

@@ -71,7 +71,7 @@ class Flow {
     std::vector<std::size_t> loop_ends_;
 };
 
-bool has(const Line& line, AccessMode mode, const FieldKey& key);
+bool has(const Line& line, input::AccessMode mode, const FieldKey& key);
 /// The node reads the field, or gives it a new value in every pass.
 bool reads(const FlowNode& node, const FieldKey& key);
 bool replaces(const FlowNode& node, const FieldKey& key);

@@ -16,8 +16,9 @@ std::map<std::string, std::set<std::string>> liveFields(const LoopFacts& facts) 
     }
     for (const FlowNode& node : flow.nodes())
         if (node.line)
-            for (const FieldAccess& access : node.line->accesses)
-                if (!isPseudoField(access.field)) known.insert({access.body, access.field});
+            for (const dynamics::FieldAccess& access : node.line->accesses)
+                if (!dynamics::isPseudoField(access.field))
+                    known.insert({access.body, access.field});
 
     for (const FieldKey& key : known) {
         const bool used =

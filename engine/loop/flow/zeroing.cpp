@@ -13,8 +13,8 @@ std::vector<Zeroing> zeroings(const Layer& layer) {
     for (std::size_t k = 0; k < layer.steps.size(); ++k) {
         const auto* line = std::get_if<Call>(&layer.steps[k].value);
         if (!line) continue;
-        for (const FieldAccess& access : line->accesses)
-            if (access.mode == AccessMode::accumulate &&
+        for (const dynamics::FieldAccess& access : line->accesses)
+            if (access.mode == input::AccessMode::accumulate &&
                 seen.insert({access.body, access.field}).second)
                 all.push_back({access.body, access.field, k});
     }

@@ -21,7 +21,7 @@ struct Line {
     std::string label;  ///< as in the case file: "pressure_relaxation.first_half"
     int id = 0;  ///< the caller's (it stands for a place in the case file); messages come with it
     /// An action that writes only some particles of a body declares the field as read, too.
-    std::vector<FieldAccess> accesses = {};
+    std::vector<dynamics::FieldAccess> accesses = {};
     std::vector<std::string> permutes = {};  ///< bodies whose particles it may reorder or remove
     /// Without: in every substep. Steps count the one under way, time is the end of the substep;
     /// a wall time is refused, because results would depend on the speed of the machine.
@@ -33,15 +33,15 @@ struct Line {
 
 /// A line of `start` or `steps`, and what it calls: null until the plan is bound to its methods.
 struct Call : Line {
-    Method* method = nullptr;
-    ActionCall action = nullptr;  ///< of that method
+    dynamics::Method* method = nullptr;
+    dynamics::ActionCall action = nullptr;  ///< of that method
 
     void act(const Clock& clock) const { action(*method, clock); }
 };
 
 /// An estimate of the time step of a layer.
 struct TimeStep : Line {
-    TimeStepMethod* method = nullptr;  ///< null until the plan is bound
+    dynamics::TimeStepMethod* method = nullptr;  ///< null until the plan is bound
 };
 
 struct Step;

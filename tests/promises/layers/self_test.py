@@ -13,14 +13,24 @@ from pathlib import Path
 
 CLEAN = {
     "engine/core/types.h": "#include <tbb/parallel_for.h>\n#include <vector>\n",
+    "engine/core/log.h": "namespace sphinx {\nnamespace log {\n}  // namespace log\n"
+                         "}  // namespace sphinx\n",
     "engine/input/tree/node.h": '#include "core/types.h"\n',
     "engine/input/tree/node.cpp": '#include "input/tree/node.h"\n#include <yaml-cpp/yaml.h>\n',
-    "engine/bodies/body.h": '#include "core/types.h"\n',
+    "engine/bodies/body.h": '#include "core/types.h"\nnamespace sphinx::bodies {\n'
+                            "namespace {\n}  // namespace\n}  // namespace sphinx::bodies\n",
     "engine/neighbors/list.h": '#include "bodies/body.h"\n',
-    "engine/io/frames/vtu.h": '#include "neighbors/list.h"\n',
+    "engine/dynamics/context.h": "namespace sphinx::dynamics {\nnamespace force {\n"
+                                 "}  // namespace force\n}  // namespace sphinx::dynamics\n",
+    "engine/dynamics/force/spring.h": "namespace sphinx::dynamics::force {\n"
+                                      "}  // namespace sphinx::dynamics::force\n",
+    "engine/io/frames/vtu.h": '#include "neighbors/list.h"\nnamespace sphinx::io {\n'
+                              "}  // namespace sphinx::io\n",
     "engine/loop/run/layer.h": '#include "core/types.h"\n',
-    "engine/case/language/read.h": '#include "input/tree/node.h"\n',
-    "app/main.cpp": '#include "case/language/read.h"\n#include <CLI/CLI.hpp>\n',
+    "engine/case/language/read.h": '#include "input/tree/node.h"\nnamespace sphinx::language {\n'
+                                   "}  // namespace sphinx::language\n",
+    "app/main.cpp": '#include "case/language/read.h"\n#include <CLI/CLI.hpp>\nnamespace {\n'
+                    "using namespace sphinx;\n}  // namespace\n",
 }
 
 
@@ -43,7 +53,7 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(code, 1)
 
     def test_clean_tree_passes(self):
-        self.assertEqual(check({}), (0, "9 files, no violation\n"))
+        self.assertEqual(check({}), (0, "12 files, no violation\n"))
 
     def test_include_of_a_folder_further_left(self):
         self.expect({"engine/core/log.h": '\n#include "input/tree/node.h"\n'},
@@ -79,6 +89,39 @@ class CheckLayers(unittest.TestCase):
                      "engine/core/b.h": '#include "core/c.h"\n',
                      "engine/core/c.h": '#include "core/a.h"\n'},
                     "cycle of includes: core/a.h -> core/b.h -> core/c.h -> core/a.h")
+
+    def test_namespace_of_another_folder(self):
+        for name, namespace, wanted in (
+                ("core/a.h", "sphinx::input", "sphinx"),
+                ("bodies/a.h", "sphinx", "sphinx::bodies"),
+                ("bodies/a.h", "sphinx::particles", "sphinx::bodies"),
+                ("bodies/a.h", "sphinx::bodies_of_others", "sphinx::bodies"),
+                ("io/hdf5/a.cpp", "sphinx::hdf5", "sphinx::io"),
+                ("dynamics/a.h", "sphinx::force", "sphinx::dynamics"),
+                ("dynamics/force/a.h", "sphinx::dynamics", "sphinx::dynamics::force"),
+                ("case/run/a.cpp", "sphinx::model", "sphinx::run"),
+                ("case/run/a.cpp", "sphinx::case_::run", "sphinx::run")):
+            with self.subTest(name, namespace=namespace):
+                self.expect({f"engine/{name}": f"\nnamespace {namespace} {{\n}}\n"},
+                            f"engine/{name}:2: namespace {namespace}, but the folder is {wanted}\n")
+
+    def test_namespace_of_the_command_line(self):
+        self.expect({"app/main.cpp": "namespace sphinx {\n}\n"},
+                    "app/main.cpp:1: namespace sphinx, but the folder is no namespace")
+
+    def test_nested_namespace_in_core(self):
+        self.expect({"engine/core/a.h": "namespace sphinx {\nnamespace hidden {\n}\n}\n"},
+                    "engine/core/a.h:2: namespace sphinx::hidden, but the folder is sphinx")
+
+    def test_namespace_behind_another(self):
+        self.expect({"engine/bodies/a.h": "namespace sphinx::bodies {\n"
+                                          "}  // namespace sphinx::bodies\n"
+                                          "namespace sphinx::io {\n}  // namespace sphinx::io\n"},
+                    "engine/bodies/a.h:3: namespace sphinx::io, but the folder is sphinx::bodies")
+
+    def test_directive_in_a_header(self):
+        self.expect({"engine/io/xml/a.h": "using namespace std;\n"},
+                    "engine/io/xml/a.h:1: using namespace in a header")
 
     def test_unknown_folder(self):
         self.expect({"engine/misc/a.h": ""}, "folder misc/ has no place among the layers")

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 using namespace sphinx;
+using namespace sphinx::bodies;
 using namespace sphinx::test;
 
 namespace {
@@ -28,7 +29,7 @@ NewParticle<Dim> particle(const Vec<Dim>& position, double volume,
 }
 
 template <int Dim>
-std::vector<std::string_view> namesOf(const ParticleSet<Dim>& particles) {
+std::vector<std::string_view> namesOf(const particles::ParticleSet<Dim>& particles) {
     std::vector<std::string_view> names;
     for (const auto& field : particles.all()) names.push_back(field->info().name);
     std::sort(names.begin(), names.end());
@@ -41,16 +42,17 @@ using Names = std::vector<std::string_view>;
 
 TEMPLATE_TEST_CASE_SIG("a particle of a fluid made in the midst of a run", "", ((int Dim), Dim), 2,
                        3) {
-    const auto equation = GENERATE(EquationOfState::linear, EquationOfState::tait);
-    WeaklyCompressibleFluidParameters of_water;
+    const auto equation =
+        GENERATE(materials::EquationOfState::linear, materials::EquationOfState::tait);
+    materials::WeaklyCompressibleFluidParameters of_water;
     of_water.density = density;
     of_water.sound_speed = sound_speed;
     of_water.equation_of_state = equation;
     Bodies<Dim> bodies;
-    Body<Dim>& water = bodies.add("water", FluidRole<Dim>{makeFluid(of_water)});
+    Body<Dim>& water = bodies.add("water", FluidRole<Dim>{materials::makeFluid(of_water)});
     addParticles(water, {particle<Dim>(Vec<Dim>::Constant(1), 0.25)});
     // Fields of methods, and what has become of the particle since.
-    ParticleSet<Dim>& p = water.particles;
+    particles::ParticleSet<Dim>& p = water.particles;
     auto& average = p.scalar(fields::average_pressure);
     auto& reference = p.scalar(fields::reference_density);
     auto& external = p.vector(fields::external_acceleration);
@@ -70,7 +72,7 @@ TEMPLATE_TEST_CASE_SIG("a particle of a fluid made in the midst of a run", "", (
     CHECK(p.vector(fields::velocity)[1] == Vec<Dim>::Constant(-1));
     CHECK(p.scalar(fields::volume)[1] == 0.5);
     CHECK(p.scalar(fields::pressure)[1] == pressure);
-    withLaw(*water.fluid().material, [&](const auto& law) {
+    materials::withLaw(*water.fluid().material, [&](const auto& law) {
         CHECK(law.pressure(p.scalar(fields::density)[1]) == Approx(pressure));
     });
     CHECK(p.scalar(fields::mass)[1] == p.scalar(fields::density)[1] * 0.5);
@@ -109,12 +111,13 @@ TEST_CASE("a body has the fields of its kind, whether it has particles or not") 
 }
 
 TEST_CASE("a particle of muscle has the directions of its place") {
-    HolzapfelMuscleParameters p;
+    materials::HolzapfelMuscleParameters p;
     p.density = density;
     p.a = p.b = p.lame_lambda = 1;
     p.fibre = expressions({"y", "x"}, unit::none);
     Bodies<2> bodies;
-    Body<2>& body = bodies.add("muscle", ElasticRole<2>{std::make_shared<HolzapfelMuscle>(p)});
+    Body<2>& body =
+        bodies.add("muscle", ElasticRole<2>{std::make_shared<materials::HolzapfelMuscle>(p)});
     addParticles(body, {particle<2>(Vec<2>(0, 2), 1), particle<2>(Vec<2>(4, 3), 1)});
     CHECK(body.particles.vector(fields::fibre)[0] == Vec<2>(1, 0));
     CHECK(body.particles.vector(fields::fibre)[1].isApprox(Vec<2>(0.6, 0.8)));

@@ -69,7 +69,7 @@ loop:
 )yaml";
 
 model::Case read(const std::string& text) {
-    return model::readCaseText("case.yaml", text, test::registry());
+    return language::readCaseText("case.yaml", text, test::registry());
 }
 
 std::string errorOf(const std::string& text) {
@@ -94,13 +94,13 @@ TEST_CASE("A case becomes plain data in case units") {
     CHECK(c.warnings.empty());
     CHECK(c.dimension == 2);
     CHECK(c.resolution.spacing == 5);
-    CHECK(c.resolution.kernel == KernelType::quintic_spline);
+    CHECK(c.resolution.kernel == kernels::KernelType::quintic_spline);
     CHECK(c.domain.periodic == std::vector<int>{0});
-    CHECK(c.domain.lost == LostParticles::remove);
+    CHECK(c.domain.lost == bodies::LostParticles::remove);
     CHECK(c.domain.upper->as<2>() == Vec<2>(450, 350));
 
     const model::Body& water = *c.findBody("water");
-    CHECK(water.role == Role::fluid);
+    CHECK(water.role == bodies::Role::fluid);
     CHECK(water.spacing(c.resolution) == 5);
     CHECK((*water.initial.velocity)[0](Vec<2>(50, 0), 0) == 2 * std::sin(0.5));
     CHECK((*water.initial.velocity)[1].constant());
@@ -125,7 +125,7 @@ TEST_CASE("A case becomes plain data in case units") {
     CHECK(c.loop.dt.methods.at(0).text == "advection_dt");
     CHECK(c.loop.dt.number == 5);
     const model::Layer& acoustic = *c.loop.steps.at(1).layer;
-    CHECK(acoustic.fit == model::Fit::clip);
+    CHECK(acoustic.fit == loop::Fit::clip);
     CHECK(acoustic.steps.at(1).method() == "relaxation");
     CHECK(c.loop.steps.at(2).every->layer.text == "acoustic");
     CHECK(c.loop.steps.at(2).every->steps == 100);
@@ -135,21 +135,21 @@ TEST_CASE("A case becomes plain data in case units") {
 
 TEST_CASE("Accesses name the bodies of the case") {
     const model::Case c = read(dam_break);
-    const auto accesses = resolveAccesses(c, *c.findMethod("relaxation"), 0);
-    const auto has = [&](AccessMode mode, const char* body, const char* field) {
-        return std::any_of(accesses.begin(), accesses.end(), [&](const FieldAccess& a) {
+    const auto accesses = build::resolveAccesses(c, *c.findMethod("relaxation"), 0);
+    const auto has = [&](input::AccessMode mode, const char* body, const char* field) {
+        return std::any_of(accesses.begin(), accesses.end(), [&](const dynamics::FieldAccess& a) {
             return a.mode == mode && a.body == body && a.field == field;
         });
     };
-    CHECK(has(AccessMode::write, "water", "velocity"));
-    CHECK(has(AccessMode::read, "wall", "normal"));
-    CHECK(!has(AccessMode::read, "water", "normal"));
-    CHECK(!has(AccessMode::write, "wall", "velocity"));
+    CHECK(has(input::AccessMode::write, "water", "velocity"));
+    CHECK(has(input::AccessMode::read, "wall", "normal"));
+    CHECK(!has(input::AccessMode::read, "water", "normal"));
+    CHECK(!has(input::AccessMode::write, "wall", "velocity"));
 }
 
 TEST_CASE("The resolved case says where values come from, and is stable") {
     const model::Case c = read(dam_break);
-    const std::string shown = showCase(c);
+    const std::string shown = run::showCase(c);
     CHECK(std::regex_search(shown, std::regex("sound_speed: 20 +# case.yaml:17")));
     CHECK(std::regex_search(shown, std::regex("smoothing_ratio: 1.3 +# default")));
     CHECK(std::regex_search(shown, std::regex("wave: 2 +# case.yaml:5")));  // still used
@@ -157,7 +157,7 @@ TEST_CASE("The resolved case says where values come from, and is stable") {
 
     const std::regex origins(" +# [^\n]*");
     const model::Case again = read(shown);
-    CHECK(std::regex_replace(showCase(again), origins, "") ==
+    CHECK(std::regex_replace(run::showCase(again), origins, "") ==
           std::regex_replace(shown, origins, ""));
     CHECK(again.loop.end_time == c.loop.end_time);
     CHECK((*again.findBody("water")->initial.velocity)[0](Vec<2>(50, 0), 0) ==

@@ -10,7 +10,7 @@ namespace sphinx::test {
 inline const input::Registry& registry() {
     static const input::Registry& all = []() -> input::Registry& {
         auto* made = new input::Registry;
-        registerAll(*made);
+        language::registerAll(*made);
         return *made;
     }();
     return all;

@@ -18,7 +18,7 @@ struct PushParameters {
 };
 
 template <int Dim>
-struct Push final : Method {
+struct Push final : dynamics::Method {
     void run(const Clock&) {}
     std::size_t workSize() const override { return 0; }
 };
@@ -32,12 +32,12 @@ void note(const std::string& type, const std::string& rule) { asked.push_back(ty
 template <const char* type>
 void declarePush(input::Registry& registry) {
     using P = PushParameters;
-    auto& d = declareMethod<P>(registry, type, []<int Dim>(const P&, Context<Dim>&) {
-        return std::make_unique<Push<Dim>>();
-    });
+    auto& d = dynamics::declareMethod<P>(
+        registry, type,
+        []<int Dim>(const P&, dynamics::Context<Dim>&) { return std::make_unique<Push<Dim>>(); });
     d.required("strength", &P::strength, input::number(unit::none), "");
     d.action();
-    d.rule([](const input::Component& method, WrittenCase& written) {
+    d.rule([](const input::Component& method, dynamics::WrittenCase& written) {
         note(type, "rule of " + method.name);
         if (method.as<P>().strength >= 1000)
             written.diagnostics.error(method.placeOf("strength"), method.name + " breaks");
@@ -74,14 +74,14 @@ loop: {end_time: 1, start: [neighbors], layer: all, dt: 0.1, steps: [neighbors, 
 model::Case read(const std::string& strength) {
     static input::Registry all;
     if (all.names(input::Kind::dynamics).empty()) {
-        registerAll(all);
+        language::registerAll(all);
         declarePush<push>(all);
         declarePush<shove>(all);
     }
     std::string text = two_pushes;
     text.replace(text.find("LATER"), 5, strength);
     asked.clear();
-    return model::readCaseText("case.yaml", text, all);
+    return language::readCaseText("case.yaml", text, all);
 }
 
 using Asked = std::vector<std::string>;
@@ -98,7 +98,7 @@ TEST_CASE("rules about particles are asked of each use, and those of the case on
     const model::Case model = read("102");
     asked.clear();
     input::Diagnostics diagnostics;
-    model::buildWorld<2>(model, true, diagnostics);
+    build::buildWorld<2>(model, true, diagnostics);
     // Nothing in the case is of the type test.shove: only its rule about the whole case is asked.
     CHECK(asked == Asked{"test.push: world rule of late", "test.push: world rule of later",
                          "test.push: case rule", "test.shove: case rule"});
@@ -120,6 +120,6 @@ TEST_CASE("without particles no rule about them is asked") {
     const model::Case model = read("102");
     asked.clear();
     input::Diagnostics diagnostics;
-    model::buildWorld<2>(model, false, diagnostics);
+    build::buildWorld<2>(model, false, diagnostics);
     CHECK(asked.empty());
 }

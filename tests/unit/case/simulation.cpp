@@ -11,7 +11,6 @@
 #include <map>
 
 using namespace sphinx;
-using namespace sphinx::model;
 
 namespace {
 
@@ -40,10 +39,12 @@ loop:
   steps: [gravity, relaxation.first_half, relaxation.second_half, neighbors]
 )yaml";
 
-Case fallingBlock() { return readCaseText("falling_block.yaml", falling_block, test::registry()); }
+model::Case fallingBlock() {
+    return language::readCaseText("falling_block.yaml", falling_block, test::registry());
+}
 
-std::map<std::int64_t, Vec<2>> placesById(Simulation<2>& simulation) {
-    ParticleSet<2>& particles = simulation.world().find("water")->particles;
+std::map<std::int64_t, Vec<2>> placesById(run::Simulation<2>& simulation) {
+    particles::ParticleSet<2>& particles = simulation.world().find("water")->particles;
     std::map<std::int64_t, Vec<2>> places;
     for (std::size_t i = 0; i < particles.size(); ++i)
         places[particles.id()[i]] = particles.position()[i];
@@ -54,10 +55,10 @@ std::map<std::int64_t, Vec<2>> placesById(Simulation<2>& simulation) {
 
 TEST_CASE("a simulation is stepped, looked at, left and taken up again") {
     const test::TemporaryFolder folder;
-    const Case model = fallingBlock();
-    RunOptions without;
+    const model::Case model = fallingBlock();
+    run::RunOptions without;
     without.outputs = false;
-    Simulation<2> whole(model, without, folder.path(), {});
+    run::Simulation<2> whole(model, without, folder.path(), {});
     whole.prepare();
     whole.begin();
     const auto start = placesById(whole);
@@ -73,17 +74,17 @@ TEST_CASE("a simulation is stepped, looked at, left and taken up again") {
     CHECK(fallen == Approx(-0.5 * 0.05 * 0.05));
     CHECK(std::filesystem::is_empty(folder.path()));
 
-    const RunOptions fresh;
-    Simulation<2> first(model, fresh, folder.path(), {});
+    const run::RunOptions fresh;
+    run::Simulation<2> first(model, fresh, folder.path(), {});
     first.prepare();
     first.begin();
     for (int k = 0; k < 4; ++k) first.step();
     CHECK_FALSE(first.finished());
     first.end();
 
-    RunOptions resumed;
+    run::RunOptions resumed;
     resumed.resume = true;
-    Simulation<2> second(model, resumed, folder.path(), {});
+    run::Simulation<2> second(model, resumed, folder.path(), {});
     second.prepare();
     CHECK(second.clock().steps == 4);
     CHECK(placesById(second) == placesById(first));

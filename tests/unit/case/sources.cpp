@@ -24,7 +24,7 @@ TEST_CASE("publications stand in the order of their keys, each once") {
 
 TEST_CASE("every publication is cited, and the reference page ends with the list") {
     Registry registry;
-    registerAll(registry);
+    language::registerAll(registry);
     const std::string page = referencePage(registry);
     const std::size_t list = page.find("\n## Sources\n");
     REQUIRE(list != page.npos);

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 using namespace sphinx::test;
 
 TEMPLATE_TEST_CASE_SIG("mean of the pressure over the substeps of an interval", "",

@@ -12,6 +12,7 @@
 #include <map>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 using namespace sphinx::test;
 
 namespace {
@@ -44,7 +45,9 @@ struct Clamped {
         whole.parts.back().shape = geometry::makeBox<Dim>(Vec<Dim>::Constant(-10), upper);
         return scene.part("block.base");
     }
-    Field<Vec<Dim>>& vectors(const FieldInfo& info) { return body.particles.vector(info); }
+    Field<Vec<Dim>>& vectors(const particles::FieldInfo& info) {
+        return body.particles.vector(info);
+    }
     /// Velocities of all that are no images; the images follow.
     template <class Velocity>
     void setVelocity(Velocity&& velocity) {
@@ -183,7 +186,7 @@ TEST_CASE("images stand behind the surface of the clamp, in its corners behind b
     const Part<2> frame = scene.part("block.frame");
     constraint::Clamp<2> clamp(scene.context, frame);
     clamp.announce();
-    findShares(body);
+    bodies::findShares(body);
     auto& relation = scene.relations.reference(body, body);
     scene.relations.build(relation);
     const auto links =

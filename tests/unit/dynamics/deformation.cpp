@@ -13,6 +13,7 @@
 #include <numbers>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 using namespace sphinx::test;
 
 namespace {
@@ -94,7 +95,7 @@ double size(const Mat<Dim>& m) {
 /// S of the law at that F.
 template <int Dim>
 Mat<Dim> stressAt(const Body<Dim>& body, const Mat<Dim>& F) {
-    const auto& law = dynamic_cast<const SaintVenantKirchhoff&>(*body.material());
+    const auto& law = dynamic_cast<const materials::SaintVenantKirchhoff&>(*body.material());
     return law.stress<Dim>(Mat<Dim>(F.transpose() * F), {});
 }
 
@@ -187,7 +188,8 @@ TEMPLATE_TEST_CASE_SIG("stress and density of an affine map", "", ((int Dim), Di
                   Approx(density / A.determinant()).epsilon(exact));
         });
         // Per volume: W of the uniform state, without anything that the control would add.
-        const auto& law = dynamic_cast<const SaintVenantKirchhoff&>(*patch.bodies[0]->material());
+        const auto& law =
+            dynamic_cast<const materials::SaintVenantKirchhoff&>(*patch.bodies[0]->material());
         const double W = law.energy<Dim>(A.transpose() * A, {});
         CHECK(patch.energy() == Approx(W * patch.volume()).epsilon(exact));
     }

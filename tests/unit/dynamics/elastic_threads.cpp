@@ -8,6 +8,7 @@
 #include <cstring>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 using namespace sphinx::test;
 
 namespace {

@@ -11,7 +11,8 @@
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
-using namespace sphinx::fluid;
+using namespace sphinx::dynamics;
+using namespace sphinx::dynamics::fluid;
 using namespace sphinx::test;
 
 namespace {
@@ -36,7 +37,7 @@ struct Meeting : Scene<Dim> {
         return this->disordered(this->box(lower, upper), 0.1);
     }
     Body<Dim>& move(Body<Dim>& body) {
-        for (const FieldInfo* field : {&fields::velocity, &fields::average_velocity})
+        for (const particles::FieldInfo* field : {&fields::velocity, &fields::average_velocity})
             give(body, *field,
                  [&](const Vec<Dim>&) { return this->random.template vector<Dim>(1); });
         for (std::size_t i = 0; i < body.size(); ++i)

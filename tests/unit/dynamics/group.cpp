@@ -10,6 +10,7 @@
 #include <vector>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 
 TEST_CASE("groups cover each particle once, and the last is as long as what is left") {
     for (std::size_t n : {0, 1, 7, 8, 9, 16, 1000}) {

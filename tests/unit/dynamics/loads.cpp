@@ -19,6 +19,7 @@
 #include <numbers>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 using namespace sphinx::test;
 
 namespace {

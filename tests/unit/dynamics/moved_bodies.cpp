@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 using namespace sphinx::test;
 
 TEST_CASE("each half of a fluid's step makes lists stale") {
@@ -39,7 +40,7 @@ TEST_CASE("lists are stale when particles come back on the other side of a perio
     Scene<2> scene;
     Body<2>& water = scene.fluid("water", {Vec<2>(0.1, 0.5), Vec<2>(0.9, 0.5)});
     scene.repeat(0, Vec<2>(0, 0), Vec<2>(1, 1));
-    neighbors::Update<2> update(scene.context, {&water});
+    dynamics::neighbors::Update<2> update(scene.context, {&water});
     update.run({});
     const std::uint64_t version = water.version;
     update.run({});

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 using namespace sphinx::test;
 
 namespace {
@@ -18,7 +19,7 @@ struct Block {
 
     Block(const Vec<3>& lower, const Vec<3>& upper)
         : body(scene.wall("block", scene.box(lower, upper))) {
-        body.shape = geometry::makeBox(lower, upper);
+        body.shape = sphinx::geometry::makeBox(lower, upper);
     }
     /// Finds the normals; that of the particle in the cell (x, y, z).
     Vec<3> normal(int x, int y, int z) {
@@ -36,7 +37,7 @@ struct Block {
 };
 
 void findNormals(Block& block, const std::vector<Body<3>*>& joined = {}) {
-    geometry::NormalsFromShape<3>(block.body, joined).run({});
+    dynamics::geometry::NormalsFromShape<3>(block.body, joined).run({});
 }
 
 }  // namespace

@@ -7,21 +7,22 @@
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
+using namespace sphinx::dynamics;
 
 TEMPLATE_TEST_CASE_SIG("pairs have the gradient of their kernel in any unit of length", "",
                        ((int Dim), Dim), 2, 3) {
     // From nanometres to light years.
     for (const double spacing : {1e-9, 1e-3, 1.0, 1e16}) {
         const double h = 1.3 * spacing;
-        const Kernel<Dim> kernel(KernelType::wendland_c2, h, spacing);
+        const Kernel<Dim> kernel(kernels::KernelType::wendland_c2, h, spacing);
         const double r = 0.8 * spacing;
         std::vector<Vec<Dim>> points{Vec<Dim>::Zero(), Vec<Dim>::Zero()};
         points[1][0] = 0.6 * r;
         points[1][1] = -0.8 * r;
-        CellGrid<Dim> grid;
+        neighbors::CellGrid<Dim> grid;
         grid.build(points.data(), points.size(), kernel.cutoff());
         NeighborList<Dim> list;
-        buildList(grid, grid, true, kernel, Domain<Dim>{}, list);
+        neighbors::buildList(grid, grid, true, kernel, Domain<Dim>{}, list);
         const double dW = -kernel.gradientFactor() * kernel.derivative(r);
         const double unit = list.gradient_unit;
         int blocks = 0;

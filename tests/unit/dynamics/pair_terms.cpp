@@ -10,7 +10,8 @@
 #include <type_traits>
 
 using namespace sphinx;
-using namespace sphinx::fluid;
+using namespace sphinx::dynamics;
+using namespace sphinx::dynamics::fluid;
 
 namespace {
 

@@ -12,7 +12,8 @@
 #include <limits>
 
 using namespace sphinx;
-using namespace sphinx::constraint;
+using namespace sphinx::dynamics;
+using namespace sphinx::dynamics::constraint;
 using namespace sphinx::test;
 
 namespace {
@@ -158,7 +159,7 @@ namespace {
 template <int Dim>
 Body<Dim>& wallWithNormals(Scene<Dim>& scene, const Vec<Dim>& normal) {
     Body<Dim>& wall = scene.wall("wall", scene.lattice(4));
-    for (const FieldInfo* field : {&fields::normal, &fields::initial_normal})
+    for (const particles::FieldInfo* field : {&fields::normal, &fields::initial_normal})
         give(wall, *field, [&](const Vec<Dim>&) { return normal; });
     return wall;
 }

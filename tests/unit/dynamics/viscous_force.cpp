@@ -11,7 +11,8 @@
 #include <numbers>
 
 using namespace sphinx;
-using namespace sphinx::fluid;
+using namespace sphinx::dynamics;
+using namespace sphinx::dynamics::fluid;
 using namespace sphinx::test;
 
 namespace {

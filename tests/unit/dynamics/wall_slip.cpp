@@ -7,7 +7,8 @@
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
-using namespace sphinx::fluid;
+using namespace sphinx::dynamics;
+using namespace sphinx::dynamics::fluid;
 using namespace sphinx::test;
 
 namespace {

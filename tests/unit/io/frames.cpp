@@ -25,7 +25,7 @@ Clock clockOf(int frame) {
     return clock;
 }
 
-void writeFrames(Output& output, Body<2>& body, int begin, int end) {
+void writeFrames(Output& output, bodies::Body<2>& body, int begin, int end) {
     for (int frame = begin; frame < end; ++frame) {
         setValues(body, frame);
         output.write(clockOf(frame));
@@ -33,7 +33,7 @@ void writeFrames(Output& output, Body<2>& body, int begin, int end) {
 }
 
 /// Writes frames and returns the state that a restart after `saved` of them holds.
-SavedState writeFramesFrom(Output& output, Body<2>& body, int saved, int end) {
+SavedState writeFramesFrom(Output& output, bodies::Body<2>& body, int saved, int end) {
     writeFrames(output, body, 0, saved);
     const SavedState state(output);
     writeFrames(output, body, saved, end);

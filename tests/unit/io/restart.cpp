@@ -34,7 +34,7 @@ const std::vector<std::uint64_t> odd_bits{
 };
 
 template <int Dim>
-void setOddValues(Body<Dim>& body) {
+void setOddValues(bodies::Body<Dim>& body) {
     setValues(body, 1);
     double* numbers = body.particles.vector(fields::velocity).numbers();
     for (std::size_t k = 0; k < odd_bits.size(); ++k)
@@ -90,12 +90,12 @@ RestartHeader makeHeader() {
 }
 
 template <int Dim>
-bool sameBits(Body<Dim>& a, Body<Dim>& b) {
+bool sameBits(bodies::Body<Dim>& a, bodies::Body<Dim>& b) {
     if (a.size() != b.size() || a.particles.nextId() != b.particles.nextId()) return false;
     for (const auto& field : a.particles.all()) {
-        const FieldBase* other = b.particles.find(field->info().name);
-        if (fieldFingerprint(*field, IdOrder(a.particles)) !=
-            fieldFingerprint(*other, IdOrder(b.particles)))
+        const particles::FieldBase* other = b.particles.find(field->info().name);
+        if (fieldFingerprint(*field, particles::IdOrder(a.particles)) !=
+            fieldFingerprint(*other, particles::IdOrder(b.particles)))
             return false;
     }
     return true;
@@ -105,7 +105,7 @@ bool sameBits(Body<Dim>& a, Body<Dim>& b) {
 struct Written {
     TemporaryFolder folder;
     Path path = folder / "tank_100.xml";
-    std::unique_ptr<Body<2>> body = makeBody<2>("water", 9);
+    std::unique_ptr<bodies::Body<2>> body = makeBody<2>("water", 9);
     State state;
     std::vector<std::string> names{"velocity", "pressure", "mass", "strain"};
 
@@ -118,7 +118,7 @@ struct Written {
         writeRestart<2>(
             path, header, [&](Archive& a) { state.transfer(a); }, {{body.get(), names}}, encoding);
     }
-    void read(Body<2>& target) {
+    void read(bodies::Body<2>& target) {
         State loaded{0, 0, "", "", 0, false, {}, {}, {1}};
         readRestart<2>(path, [&](Archive& a) { loaded.transfer(a); }, {{&target, names}});
         CHECK(std::bit_cast<std::uint64_t>(loaded.number) ==

@@ -24,8 +24,8 @@ const Provenance provenance{{{"version", "1.2.3"}, {"compiler", "g++ <12> & \xc3
 
 template <int Dim>
 struct Frames {
-    std::unique_ptr<Body<Dim>> water = makeBody<Dim>("water", 1500);
-    std::unique_ptr<Body<Dim>> wall = makeBody<Dim>("wall", 7);
+    std::unique_ptr<bodies::Body<Dim>> water = makeBody<Dim>("water", 1500);
+    std::unique_ptr<bodies::Body<Dim>> wall = makeBody<Dim>("wall", 7);
     std::vector<BodyFrames<Dim>> bodies{{water.get(), {"velocity", "pressure", "strain"}},
                                         {wall.get(), {}}};
     std::vector<std::unique_ptr<Output>> outputs;

@@ -15,7 +15,8 @@
 
 namespace sphinx::test {
 
-inline constexpr FieldInfo strain{"strain", Rank::matrix, unit::none, "a matrix, for tests"};
+inline constexpr particles::FieldInfo strain{"strain", particles::Rank::matrix, unit::none,
+                                             "a matrix, for tests"};
 
 /// An empty folder for one test, removed afterwards.
 class TemporaryFolder {
@@ -64,8 +65,8 @@ class SavedState {
 
 /// Particles with velocity, pressure, mass and strain, all zero but mass.
 template <int Dim>
-std::unique_ptr<Body<Dim>> makeBody(const std::string& name, std::size_t particles) {
-    auto body = std::make_unique<Body<Dim>>();
+std::unique_ptr<bodies::Body<Dim>> makeBody(const std::string& name, std::size_t particles) {
+    auto body = std::make_unique<bodies::Body<Dim>>();
     body->name = name;
     body->particles.vector(fields::velocity);
     body->particles.scalar(fields::pressure);
@@ -78,8 +79,8 @@ std::unique_ptr<Body<Dim>> makeBody(const std::string& name, std::size_t particl
 
 /// Values that a reader can compute from id and frame (tests/regression/readers/samples.py).
 template <int Dim>
-void setValues(Body<Dim>& body, int frame) {
-    ParticleSet<Dim>& particles = body.particles;
+void setValues(bodies::Body<Dim>& body, int frame) {
+    particles::ParticleSet<Dim>& particles = body.particles;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const double id = static_cast<double>(particles.id()[i]);
         for (int k = 0; k < Dim; ++k) {

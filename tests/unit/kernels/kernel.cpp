@@ -11,6 +11,7 @@
 #include <vector>
 
 using namespace sphinx;
+using namespace sphinx::kernels;
 
 namespace {
 
@@ -22,9 +23,9 @@ struct Expected {
     std::string name;
     int reach;  // in smoothing lengths, where pieces meet at whole numbers
 };
-const std::vector<Expected> kernels = {{KernelType::wendland_c2, "Wendland C2", 2},
-                                       {KernelType::cubic_spline, "cubic spline", 2},
-                                       {KernelType::quintic_spline, "quintic spline", 3}};
+const std::vector<Expected> all_kernels = {{KernelType::wendland_c2, "Wendland C2", 2},
+                                           {KernelType::cubic_spline, "cubic spline", 2},
+                                           {KernelType::quintic_spline, "quintic spline", 3}};
 
 /// Of f from a to b by Simpson's rule.
 template <class F>
@@ -67,7 +68,7 @@ Mat<Dim> densest() {
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("a kernel", "", ((int Dim), Dim), 2, 3) {
-    for (const Expected& expected : kernels) {
+    for (const Expected& expected : all_kernels) {
         INFO(expected.name << " in " << Dim << "D");
         const Kernel<Dim> kernel(expected.type, h, spacing);
         const double peak = kernel.value(0);
@@ -104,7 +105,7 @@ TEMPLATE_TEST_CASE_SIG("a kernel", "", ((int Dim), Dim), 2, 3) {
 }
 
 TEMPLATE_TEST_CASE_SIG("the sum of a kernel over a lattice", "", ((int Dim), Dim), 2, 3) {
-    for (const Expected& expected : kernels) {
+    for (const Expected& expected : all_kernels) {
         INFO(expected.name << " in " << Dim << "D");
         const Kernel<Dim> kernel(expected.type, h, spacing);
         double sum = 0;
@@ -118,7 +119,7 @@ TEMPLATE_TEST_CASE_SIG("the sum of a kernel over a lattice", "", ((int Dim), Dim
 
 TEMPLATE_TEST_CASE_SIG("normalised gradients", "", ((int Dim), Dim), 2, 3) {
     const double volume = std::pow(spacing, Dim);
-    for (const Expected& expected : kernels) {
+    for (const Expected& expected : all_kernels) {
         INFO(expected.name << " in " << Dim << "D");
         const Kernel<Dim> kernel(expected.type, h, spacing);
         const double factor = kernel.gradientFactor();
@@ -157,7 +158,7 @@ TEST_CASE("the gradients of Wendland C2 in 2D at h = 1.3 spacings need 1.5 perce
 }
 
 TEMPLATE_TEST_CASE_SIG("shapes of eight distances are those of each", "", ((int Dim), Dim), 2, 3) {
-    for (const Expected& expected : kernels) {
+    for (const Expected& expected : all_kernels) {
         INFO(expected.name << " in " << Dim << "D");
         withKernel<Dim>(expected.type, [&]<class K>() {
             CHECK(K::reach == expected.reach);

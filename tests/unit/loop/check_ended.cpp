@@ -81,8 +81,9 @@ TEST_CASE("what may stay as it is") {
     }
     SECTION("what is zero when the window is over") {
         const Call push =
-            line(14, "push", {write("wall", "velocity"), {AccessMode::release, "wall", "velocity"}},
-                 {}, false);
+            line(14, "push",
+                 {write("wall", "velocity"), {input::AccessMode::release, "wall", "velocity"}}, {},
+                 false);
         const Call look = line(15, "look", {read("wall", "velocity")});
         CHECK(lines.with({{limited(push, {}, 1.0)}, {look}}).empty());
     }

@@ -15,8 +15,8 @@ struct Stepped : DamBreak {
     Call sort_now = sort;
 
     Stepped() {
-        first_half.accesses.push_back({AccessMode::open, "water", "step"});
-        second_half.accesses.push_back({AccessMode::close, "water", "step"});
+        first_half.accesses.push_back({input::AccessMode::open, "water", "step"});
+        second_half.accesses.push_back({input::AccessMode::close, "water", "step"});
         sort_now.every = {};
     }
     Messages with(std::vector<Step> acoustic_steps) const {

@@ -11,26 +11,26 @@
 
 namespace sphinx::loop::fake {
 
-inline FieldAccess read(std::string body, std::string field) {
-    return {AccessMode::read, std::move(body), std::move(field)};
+inline dynamics::FieldAccess read(std::string body, std::string field) {
+    return {input::AccessMode::read, std::move(body), std::move(field)};
 }
-inline FieldAccess write(std::string body, std::string field) {
-    return {AccessMode::write, std::move(body), std::move(field)};
+inline dynamics::FieldAccess write(std::string body, std::string field) {
+    return {input::AccessMode::write, std::move(body), std::move(field)};
 }
-inline FieldAccess add(std::string body, std::string field) {
-    return {AccessMode::accumulate, std::move(body), std::move(field)};
+inline dynamics::FieldAccess add(std::string body, std::string field) {
+    return {input::AccessMode::accumulate, std::move(body), std::move(field)};
 }
 
 inline const Trigger now_and_then{Trigger::Kind::steps, 100, ""};
 
 /// A line as its declaration describes it.
-inline Call line(int id, std::string label, std::vector<FieldAccess> accesses,
+inline Call line(int id, std::string label, std::vector<dynamics::FieldAccess> accesses,
                  std::vector<std::string> permutes = {}, bool sometimes = false) {
     Call call{{std::move(label), id, std::move(accesses), std::move(permutes)}};
     if (sometimes) call.every = now_and_then;
     return call;
 }
-inline TimeStep estimate(int id, std::string label, std::vector<FieldAccess> accesses) {
+inline TimeStep estimate(int id, std::string label, std::vector<dynamics::FieldAccess> accesses) {
     return {{std::move(label), id, std::move(accesses)}};
 }
 inline Layer layer(int id, std::string name, std::vector<TimeStep> dt, std::vector<Step> steps,
@@ -83,7 +83,7 @@ struct DamBreak {
 };
 
 /// A last line of the loop, which only looks, now and then.
-inline void look(LoopFacts& facts, FieldAccess access) {
+inline void look(LoopFacts& facts, dynamics::FieldAccess access) {
     facts.plan.outermost.steps.push_back({line(41, "look", {std::move(access)}, {}, true)});
 }
 

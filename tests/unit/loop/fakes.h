@@ -24,7 +24,7 @@ struct Event {
 using Journal = std::vector<Event>;
 
 /// A method with one action.
-class Acting : public Method {
+class Acting : public dynamics::Method {
  public:
     explicit Acting(std::function<void(const Clock&)> act) : act_(std::move(act)) {}
     void run(const Clock& clock) { act_(clock); }
@@ -52,12 +52,14 @@ class Recorder : public Acting {
     Journal& journal_;
 };
 
-inline void runOf(Method& method, const Clock& clock) { static_cast<Acting&>(method).run(clock); }
-inline void secondOf(Method& method, const Clock& clock) {
+inline void runOf(dynamics::Method& method, const Clock& clock) {
+    static_cast<Acting&>(method).run(clock);
+}
+inline void secondOf(dynamics::Method& method, const Clock& clock) {
     static_cast<Recorder&>(method).second(clock);
 }
 
-class Estimate : public TimeStepMethod {
+class Estimate : public dynamics::TimeStepMethod {
  public:
     explicit Estimate(std::function<double()> next) : next_(std::move(next)) {}
     double estimate() override { return next_(); }
@@ -95,16 +97,16 @@ class RecordingOutput : public Output {
 using test::MemoryArchive;
 using test::Saved;
 
-inline Call acting(std::string label, Method& method, std::optional<Trigger> every = {},
+inline Call acting(std::string label, dynamics::Method& method, std::optional<Trigger> every = {},
                    Window window = {}) {
     return {{std::move(label), 0, {}, {}, std::move(every), window}, &method, runOf};
 }
 
-inline Step call(std::string label, Method& method, ActionCall action = runOf) {
+inline Step call(std::string label, dynamics::Method& method, dynamics::ActionCall action = runOf) {
     return {Call{{std::move(label)}, &method, action}};
 }
 
-inline Step every(std::string label, Method& method, Trigger trigger) {
+inline Step every(std::string label, dynamics::Method& method, Trigger trigger) {
     return {acting(std::move(label), method, std::move(trigger))};
 }
 

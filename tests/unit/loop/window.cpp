@@ -14,7 +14,7 @@ using namespace sphinx::loop::fake;
 
 namespace {
 
-Step limited(std::string label, Method& method, std::optional<double> from,
+Step limited(std::string label, dynamics::Method& method, std::optional<double> from,
              std::optional<double> until, std::optional<Trigger> trigger = {}) {
     return {acting(std::move(label), method, std::move(trigger), {from, until})};
 }

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
+using namespace sphinx::materials;
 
 namespace {
 

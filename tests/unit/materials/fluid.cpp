@@ -8,6 +8,7 @@
 #include <memory>
 
 using namespace sphinx;
+using namespace sphinx::materials;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 using namespace sphinx;
+using namespace sphinx::materials;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 using namespace sphinx;
+using namespace sphinx::materials;
 
 namespace {
 

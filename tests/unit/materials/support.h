@@ -12,7 +12,7 @@
 #include <typeinfo>
 #include <vector>
 
-namespace sphinx {
+namespace sphinx::materials {
 
 /// The laws of the tables: E = 1, nu = 0.3, J_m = 3; the muscle of a = mu, a_f = mu/2, a_s = mu/4,
 /// a_fs = mu/5 and all b = 1.
@@ -125,4 +125,4 @@ struct Random {
     std::mt19937 engine;
 };
 
-}  // namespace sphinx
+}  // namespace sphinx::materials

@@ -10,6 +10,7 @@
 #include <sstream>
 
 using namespace sphinx;
+using namespace sphinx::materials;
 
 namespace {
 

@@ -17,7 +17,7 @@ namespace sphinx::test {
 class Entry {
  public:
     explicit Entry(const std::string& yaml, int dimension = 2) {
-        io::registerMeasures(registry_);
+        measure::registerMeasures(registry_);
         auto source = std::make_shared<input::Source>();
         source->name = "case.yaml";
         source->text = yaml;

@@ -11,7 +11,7 @@
 #include <cmath>
 
 using namespace sphinx;
-using namespace sphinx::io;
+using namespace sphinx::measure;
 using namespace sphinx::test;
 
 namespace {
@@ -20,12 +20,13 @@ namespace {
 constexpr double lattice = 0.012;
 
 template <int Dim>
-ObserveSource<Dim> observe(Scene<Dim>& scene, Body<Dim>& observer,
-                           const std::vector<const FieldInfo*>& fields, bool mean = false) {
-    std::vector<std::vector<const FieldBase*>> found;
-    for (const FieldInfo* info : fields) {
+ObserveSource<Dim> observe(Scene<Dim>& scene, bodies::Body<Dim>& observer,
+                           const std::vector<const particles::FieldInfo*>& fields,
+                           bool mean = false) {
+    std::vector<std::vector<const particles::FieldBase*>> found;
+    for (const particles::FieldInfo* info : fields) {
         found.emplace_back();
-        for (Body<Dim>* body : observer.sees)
+        for (bodies::Body<Dim>* body : observer.sees)
             found.back().push_back(&body->particles.require(*info));
     }
     return ObserveSource<Dim>(std::make_unique<ObserveWeights<Dim>>(observer, scene.relations),
@@ -38,11 +39,12 @@ TEMPLATE_TEST_CASE_SIG("a constant is observed exactly, with the part of space a
                        "[observe]", ((int Dim), Dim), 2, 3) {
     using V = Vec<Dim>;
     Scene<Dim> scene;
-    Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), V::Ones()));
+    bodies::Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), V::Ones()));
     give(water, fields::velocity, [](const V&) -> V { return V::Constant(0.7); });
     V surface = V::Constant(0.5);
     surface[Dim - 1] = 1;  // the top face
-    Body<Dim>& probe = scene.observer({V::Constant(0.5), V::Constant(0.437), surface}, {&water});
+    bodies::Body<Dim>& probe =
+        scene.observer({V::Constant(0.5), V::Constant(0.437), surface}, {&water});
     auto source = observe(scene, probe, {&fields::velocity});
     const std::vector<double> row = rowOf(source);
     REQUIRE(row.size() == 3 * Dim + 3 + 3 * Dim);
@@ -56,11 +58,11 @@ TEMPLATE_TEST_CASE_SIG("a constant is observed exactly, with the part of space a
 
 TEST_CASE("a linear field is observed exactly where particles lie symmetrically", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     const auto linear = [](const Vec<2>& x) { return 3 + 2 * x[0] - 5 * x[1]; };
     give(water, fields::pressure, linear);
     // On a particle, between four of them, and between two.
-    Body<2>& probe =
+    bodies::Body<2>& probe =
         scene.observer({Vec<2>(0.45, 0.55), Vec<2>(0.5, 0.4), Vec<2>(0.5, 0.45)}, {&water});
     auto source = observe(scene, probe, {&fields::pressure});
     const std::vector<double> row = rowOf(source);
@@ -71,9 +73,9 @@ TEST_CASE("a linear field is observed exactly where particles lie symmetrically"
 
 TEST_CASE("a point without particles near is NaN and covers nothing", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     give(water, fields::pressure, [](const Vec<2>&) { return 4; });
-    Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5), Vec<2>(0.5, 1.5)}, {&water});
+    bodies::Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5), Vec<2>(0.5, 1.5)}, {&water});
     auto points = observe(scene, probe, {&fields::pressure});
     std::vector<double> row = rowOf(points);
     CHECK(row[0] == Approx(4));
@@ -93,12 +95,12 @@ TEST_CASE("a point without particles near is NaN and covers nothing", "[observe]
 
 TEST_CASE("all bodies that an observer sees count, each with its own kernel", "[observe]") {
     Scene<2> scene;
-    Body<2>& left = scene.fluid("left", scene.box(Vec<2>(0, 0), Vec<2>(0.5, 1)));
+    bodies::Body<2>& left = scene.fluid("left", scene.box(Vec<2>(0, 0), Vec<2>(0.5, 1)));
     scene.spacing = 0.05;
-    Body<2>& right = scene.fluid("right", scene.box(Vec<2>(0.5, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& right = scene.fluid("right", scene.box(Vec<2>(0.5, 0), Vec<2>(1, 1)));
     scene.spacing = 0.1;
     give(right, fields::pressure, [](const Vec<2>&) { return 1; });
-    Body<2>& probe =
+    bodies::Body<2>& probe =
         scene.observer({Vec<2>(0.2, 0.5), Vec<2>(0.5, 0.5), Vec<2>(0.8, 0.5)}, {&left, &right});
     auto source = observe(scene, probe, {&fields::pressure});
     const std::vector<double> row = rowOf(source);
@@ -111,16 +113,16 @@ TEST_CASE("all bodies that an observer sees count, each with its own kernel", "[
 TEST_CASE("observers look through periodic boundaries", "[observe]") {
     Scene<2> scene;
     scene.repeat(0, Vec<2>(0, 0), Vec<2>(1, 1));
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
-    Body<2>& probe = scene.observer({Vec<2>(0, 0.5)}, {&water});
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& probe = scene.observer({Vec<2>(0, 0.5)}, {&water});
     auto source = observe(scene, probe, {&fields::pressure});
     CHECK(rowOf(source)[1] == Approx(1).epsilon(lattice));
 }
 
 TEST_CASE("an observer sees where particles are now", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(0.5, 0.5)));
-    Body<2>& probe = scene.observer({Vec<2>(1, 0.25)}, {&water});
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(0.5, 0.5)));
+    bodies::Body<2>& probe = scene.observer({Vec<2>(1, 0.25)}, {&water});
     auto source = observe(scene, probe, {&fields::pressure});
     CHECK(rowOf(source)[1] == 0);
     for (std::size_t i = 0; i < water.size(); ++i) water.particles.position()[i][0] += 0.75;
@@ -130,12 +132,12 @@ TEST_CASE("an observer sees where particles are now", "[observe]") {
 
 TEST_CASE("columns of an observer are named by point and component", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     const auto labelsOf = [&](const std::vector<Vec<2>>& points, bool mean) {
         auto source = observe(scene, scene.observer(points, {&water}),
                               {&fields::pressure, &fields::velocity, &strain}, mean);
         std::vector<std::string> labels;
-        for (const SeriesQuantity& quantity : source.quantities()) {
+        for (const io::SeriesQuantity& quantity : source.quantities()) {
             if (quantity.labels.empty()) labels.push_back(quantity.name);
             for (const std::string& label : quantity.labels)
                 labels.push_back(quantity.name + "_" + label);
@@ -157,8 +159,8 @@ TEST_CASE("columns of an observer are named by point and component", "[observe]"
 
 TEST_CASE("matrices are observed row by row", "[observe]") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
-    Field<Mat<2>>& tensor = water.particles.matrix(strain);
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    particles::Field<Mat<2>>& tensor = water.particles.matrix(strain);
     for (std::size_t i = 0; i < water.size(); ++i) tensor[i] << 1, 2, 3, 4;
     auto source = observe(scene, scene.observer({Vec<2>(0.5, 0.5)}, {&water}), {&strain});
     const std::vector<double> row = rowOf(source);
@@ -168,7 +170,7 @@ TEST_CASE("matrices are observed row by row", "[observe]") {
 TEST_CASE("an observer of a case writes its rows", "[observe]") {
     TemporaryFolder folder;
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     give(water, fields::pressure, [](const Vec<2>&) { return 0.25; });
     scene.observer({Vec<2>(0.5, 2)}, {&water});
     const Entry entry("{type: observe, observer: probe, fields: [pressure]}");
@@ -183,11 +185,11 @@ TEST_CASE("an observer of a case writes its rows", "[observe]") {
 TEST_CASE("what an observer cannot do is an error at its place", "[observe]") {
     TemporaryFolder folder;
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
-    Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5)}, {&water});
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5)}, {&water});
     const auto error = [&](const std::string& yaml, bool follows = false) {
         return errorOf([&] {
-            OutputContext<2> context = outputContext(scene, folder.path());
+            io::OutputContext<2> context = outputContext(scene, folder.path());
             if (follows) context.followers = {&probe};
             Entry(yaml).make(context);
         });

@@ -9,13 +9,13 @@
 #include <cmath>
 
 using namespace sphinx;
-using namespace sphinx::io;
+using namespace sphinx::measure;
 using namespace sphinx::test;
 
 namespace {
 
 template <int Dim>
-std::vector<double> elevations(Scene<Dim>& scene, Body<Dim>& observer) {
+std::vector<double> elevations(Scene<Dim>& scene, bodies::Body<Dim>& observer) {
     return rowOf(*makeElevationSource(observer, {}, outputContext(scene)));
 }
 
@@ -27,7 +27,7 @@ TEMPLATE_TEST_CASE_SIG("the height of a flat surface is found within a hundredth
     Scene<Dim> scene;
     V upper = V::Ones();
     upper[Dim - 1] = 0.6;
-    Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), upper));
+    bodies::Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), upper));
     std::vector<V> points;
     for (const double x : {0.41, 0.45, 0.5, 0.57}) {
         points.push_back(V::Constant(0.5));
@@ -48,10 +48,10 @@ TEMPLATE_TEST_CASE_SIG("at a wall the fluid fills what the wall leaves", "", ((i
     Scene<Dim> scene;
     V upper = V::Ones();
     upper[Dim - 1] = 0.6;
-    Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), upper));
+    bodies::Body<Dim>& water = scene.fluid("water", scene.box(V::Zero(), upper));
     V wall_lower = V::Constant(-0.4), wall_upper = V::Constant(1.4);
     wall_upper[0] = 0;
-    Body<Dim>& wall = scene.wall("wall", scene.box(wall_lower, wall_upper));
+    bodies::Body<Dim>& wall = scene.wall("wall", scene.box(wall_lower, wall_upper));
     water.sees = {&water, &wall};
     std::vector<V> points;
     for (const double x : {-0.2, 0.0, 0.01, 0.05, 0.1, 0.5}) {
@@ -65,8 +65,8 @@ TEMPLATE_TEST_CASE_SIG("at a wall the fluid fills what the wall leaves", "", ((i
 
 TEST_CASE("heights are measured against gravity") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
-    Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5)}, {&water});
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& probe = scene.observer({Vec<2>(0.5, 0.5)}, {&water});
     water.fluid().gravity = Vec<2>(-3, 0);
     CHECK(elevations(scene, probe)[0] == Approx(1).margin(1e-3));
     water.fluid().gravity = Vec<2>(0, 2);  // upwards: the surface is at y = 0, the height is -y
@@ -75,8 +75,8 @@ TEST_CASE("heights are measured against gravity") {
 
 TEST_CASE("the surface is the highest place that fluid fills to a half; drops do not count") {
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
-    Body<2>& probe = scene.observer({Vec<2>(0.55, 0), Vec<2>(1.6, 0)}, {&water});
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
+    bodies::Body<2>& probe = scene.observer({Vec<2>(0.55, 0), Vec<2>(1.6, 0)}, {&water});
     scene.place(water, {Vec<2>(0.55, 1.25)});
     std::vector<double> row = elevations(scene, probe);
     CHECK(row[0] == Approx(0.5).margin(1e-3));
@@ -90,7 +90,7 @@ TEST_CASE("the surface is the highest place that fluid fills to a half; drops do
 TEST_CASE("a slope is found where it crosses the gauge") {
     Scene<2> scene;
     scene.spacing = 0.02;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     std::vector<Index> dry;
     const auto height = [](double x) { return 0.4 + 0.2 * x; };
     for (std::size_t i = 0; i < water.size(); ++i) {
@@ -98,7 +98,8 @@ TEST_CASE("a slope is found where it crosses the gauge") {
         if (x[1] > height(x[0])) dry.push_back(static_cast<Index>(i));
     }
     water.particles.remove(dry);
-    Body<2>& probe = scene.observer({Vec<2>(0.3, 0), Vec<2>(0.5, 0), Vec<2>(0.7, 0)}, {&water});
+    bodies::Body<2>& probe =
+        scene.observer({Vec<2>(0.3, 0), Vec<2>(0.5, 0), Vec<2>(0.7, 0)}, {&water});
     const std::vector<double> row = elevations(scene, probe);
     // The particles form stairs of one spacing.
     for (int k = 0; k < 3; ++k)
@@ -108,8 +109,8 @@ TEST_CASE("a slope is found where it crosses the gauge") {
 TEST_CASE("points above each other are one gauge, also across a periodic boundary") {
     Scene<2> scene;
     scene.repeat(0, Vec<2>(0, 0), Vec<2>(1, 1));
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
-    Body<2>& probe = scene.observer(
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
+    bodies::Body<2>& probe = scene.observer(
         {Vec<2>(0, 0), Vec<2>(0, 0.1), Vec<2>(0, 0.2), Vec<2>(1, 0), Vec<2>(0.5, 0)}, {&water});
     const std::vector<double> row = elevations(scene, probe);
     REQUIRE(row.size() == 2 + 4);
@@ -120,8 +121,8 @@ TEST_CASE("points above each other are one gauge, also across a periodic boundar
 TEST_CASE("the surface of a case is written like any series") {
     TemporaryFolder folder;
     Scene<2> scene;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
-    Body<2>& probe = scene.observer({Vec<2>(0.25, 0), Vec<2>(3, 0)}, {&water});
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 0.5)));
+    bodies::Body<2>& probe = scene.observer({Vec<2>(0.25, 0), Vec<2>(3, 0)}, {&water});
     const Entry entry("{type: observe, observer: probe, quantity: surface_elevation}");
     entry.make(outputContext(scene, folder.path()))->write(clockAt(0));
     const std::string text = readFile(folder / "row.csv", 1000);

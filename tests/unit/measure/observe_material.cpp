@@ -13,15 +13,15 @@
 #include <cmath>
 
 using namespace sphinx;
-using namespace sphinx::io;
+using namespace sphinx::measure;
 using namespace sphinx::test;
 
 namespace {
 
 /// A block, and an observer of one point in it that follows the material.
 struct Block : Scene<2> {
-    Body<2>& block = fluid("block", box(Vec<2>(0, 0), Vec<2>(1, 1)));
-    Body<2>& probe = observer({Vec<2>(0.62, 0.43)}, {&block});
+    bodies::Body<2>& block = fluid("block", box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& probe = observer({Vec<2>(0.62, 0.43)}, {&block});
     MaterialWeights<2> weights{probe, relations, world.domain};
 
     void move(const Vec<2>& by) {
@@ -121,7 +121,8 @@ TEST_CASE("a resumed run knows the particles of a point of the material") {
         CHECK(again.parts() == parts);
     }
     SECTION("an observer that has other points now is attached anew") {
-        Body<2>& other = resumed.observer({Vec<2>(1, 0.5), Vec<2>(1.2, 0.5)}, {&resumed.block});
+        bodies::Body<2>& other =
+            resumed.observer({Vec<2>(1, 0.5), Vec<2>(1.2, 0.5)}, {&resumed.block});
         MaterialWeights<2> weights(other, resumed.relations, resumed.world.domain);
         weights.transfer(archive);
         weights.update();

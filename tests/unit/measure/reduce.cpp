@@ -10,7 +10,7 @@
 #include <cmath>
 
 using namespace sphinx;
-using namespace sphinx::io;
+using namespace sphinx::measure;
 using namespace sphinx::test;
 
 namespace {
@@ -18,10 +18,10 @@ namespace {
 /// A block of 1 x 1 (x 1) with density 2, so of mass 2.
 template <int Dim>
 struct Block : Scene<Dim> {
-    Body<Dim>& water = this->fluid("water", this->box(Vec<Dim>::Zero(), Vec<Dim>::Ones()));
+    bodies::Body<Dim>& water = this->fluid("water", this->box(Vec<Dim>::Zero(), Vec<Dim>::Ones()));
     ReducedBody<Dim> reduced{&water, {}, {}};
-    Field<Vec<Dim>>& x = water.particles.position();
-    Field<Vec<Dim>>& v = water.particles.vector(fields::velocity);
+    particles::Field<Vec<Dim>>& x = water.particles.position();
+    particles::Field<Vec<Dim>>& v = water.particles.vector(fields::velocity);
 };
 
 }  // namespace
@@ -108,7 +108,7 @@ TEST_CASE("extremes of a body, and of one without particles") {
 TEST_CASE("sums do not depend on the number of threads") {
     Scene<2> scene;
     scene.spacing = 0.01;
-    Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
+    bodies::Body<2>& water = scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
     water.fluid().gravity = Vec<2>(0.1, -9);
     for (std::size_t i = 0; i < water.size(); ++i)
         water.particles.vector(fields::velocity)[i] = Vec<2>(std::sin(1.0 * i), std::cos(3.0 * i));
@@ -124,7 +124,7 @@ TEST_CASE("reductions of a case are named and checked") {
     TemporaryFolder folder;
     Scene<2> scene;
     scene.fluid("water", scene.box(Vec<2>(0, 0), Vec<2>(1, 1)));
-    scene.add("wall", WallRole{});  // a body without fields
+    scene.add("wall", bodies::WallRole{});  // a body without fields
     const auto header = [&](const std::string& quantity) {
         Entry("{type: reduce, body: water, quantity: " + quantity + "}")
             .make(outputContext(scene, folder.path()))

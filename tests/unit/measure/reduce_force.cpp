@@ -12,7 +12,7 @@
 #include <cmath>
 
 using namespace sphinx;
-using namespace sphinx::io;
+using namespace sphinx::measure;
 using namespace sphinx::test;
 
 namespace {
@@ -50,23 +50,24 @@ struct Tank : Scene<Dim> {
         });
         give(*water, fields::external_acceleration,
              [&](const Vec<Dim>&) -> Vec<Dim> { return water->gravity(); });
-        ParticleSet<Dim>& p = water->particles;
+        particles::ParticleSet<Dim>& p = water->particles;
         for (std::size_t i = 0; i < water->size(); ++i)
             p.scalar(fields::volume)[i] = p.scalar(fields::mass)[i] / p.scalar(fields::density)[i];
-        acoustic = std::make_unique<fluid::PressureRelaxation<Dim>>(
-            this->context, *water, fluid::Riemann::low_dissipation);
-        viscous = std::make_unique<fluid::ViscousForce<Dim>>(
-            this->context, *water, fluid::WallSlip::no_slip, fluid::ViscousForm::laplacian);
+        acoustic = std::make_unique<dynamics::fluid::PressureRelaxation<Dim>>(
+            this->context, *water, dynamics::fluid::Riemann::low_dissipation);
+        viscous = std::make_unique<dynamics::fluid::ViscousForce<Dim>>(
+            this->context, *water, dynamics::fluid::WallSlip::no_slip,
+            dynamics::fluid::ViscousForm::laplacian);
         updateLists();
     }
     void updateLists() { this->relations.update({water, floor, left, right}); }
-    OutputContext<Dim> outputs() {
-        OutputContext<Dim> context = outputContext(*this);
+    io::OutputContext<Dim> outputs() {
+        io::OutputContext<Dim> context = outputContext(*this);
         context.methods = {acoustic.get(), viscous.get()};
         return context;
     }
     /// Pressure and viscous force.
-    std::pair<Vec<Dim>, Vec<Dim>> forceOn(const Body<Dim>& body) {
+    std::pair<Vec<Dim>, Vec<Dim>> forceOn(const bodies::Body<Dim>& body) {
         const std::vector<double> row = rowOf(*makeForceSource(body, {}, outputs()));
         const Vec<Dim> pressure(row.data());
         const Vec<Dim> friction(row.data() + Dim);
@@ -75,20 +76,20 @@ struct Tank : Scene<Dim> {
         return {pressure, friction};
     }
 
-    Body<Dim>* water;
-    Body<Dim>* floor;
-    Body<Dim>* left;
-    Body<Dim>* right;
-    std::unique_ptr<fluid::PressureRelaxation<Dim>> acoustic;
-    std::unique_ptr<fluid::ViscousForce<Dim>> viscous;
+    bodies::Body<Dim>* water;
+    bodies::Body<Dim>* floor;
+    bodies::Body<Dim>* left;
+    bodies::Body<Dim>* right;
+    std::unique_ptr<dynamics::fluid::PressureRelaxation<Dim>> acoustic;
+    std::unique_ptr<dynamics::fluid::ViscousForce<Dim>> viscous;
 };
 
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("solids get exactly what the fluid loses", "", ((int Dim), Dim), 2, 3) {
     Tank<Dim> tank(Dim == 2 ? 0.04 : 0.08);
-    Body<Dim>& water = *tank.water;
-    ParticleSet<Dim>& p = water.particles;
+    bodies::Body<Dim>& water = *tank.water;
+    particles::ParticleSet<Dim>& p = water.particles;
     for (std::size_t i = 0; i < water.size(); ++i) {
         p.vector(fields::velocity)[i] = Vec<Dim>::LinSpaced(Dim, 1, -2) * std::sin(7.0 * i);
         p.position()[i] +=
@@ -99,7 +100,7 @@ TEMPLATE_TEST_CASE_SIG("solids get exactly what the fluid loses", "", ((int Dim)
     Vec<Dim> pressure = Vec<Dim>::Zero();
     Vec<Dim> friction = Vec<Dim>::Zero();
     double largest = 0;
-    for (const Body<Dim>* body : {tank.floor, tank.left, tank.right}) {
+    for (const bodies::Body<Dim>* body : {tank.floor, tank.left, tank.right}) {
         const auto [a, b] = tank.forceOn(*body);
         pressure += a;
         friction += b;
@@ -117,11 +118,11 @@ TEMPLATE_TEST_CASE_SIG("solids get exactly what the fluid loses", "", ((int Dim)
 
 TEST_CASE("friction on the walls is what viscosity takes from the fluid") {
     Tank<2> tank(0.04);
-    Body<2>& water = *tank.water;
+    bodies::Body<2>& water = *tank.water;
     give(water, fields::velocity, [](const Vec<2>& x) { return Vec<2>(3 * x[1], 0.1); });
     water.particles.vector(fields::external_acceleration).setZero();
     Vec<2> friction = Vec<2>::Zero();
-    for (const Body<2>* body : {tank.floor, tank.left, tank.right})
+    for (const bodies::Body<2>* body : {tank.floor, tank.left, tank.right})
         friction += tank.forceOn(*body).second;
     tank.viscous->run({});
     const Vec<2> gained = massTimes(water, fields::external_acceleration);
@@ -144,23 +145,24 @@ TEST_CASE("moments of water at rest are those of its forces at the middle of the
 
 TEST_CASE("moments by friction are those of the forces on the wall's particles") {
     Tank<2> tank(0.04);
-    Body<2>& water = *tank.water;
+    bodies::Body<2>& water = *tank.water;
     for (std::size_t i = 0; i < water.size(); ++i)
         water.particles.vector(fields::velocity)[i] = Vec<2>(1, -2) * std::sin(7.0 * i);
-    Relation<2>& of_floor = tank.relations.flow(*tank.floor, water, {.distance = true});
+    neighbors::Relation<2>& of_floor = tank.relations.flow(*tank.floor, water, {.distance = true});
     tank.updateLists();
-    Field<Vec<2>>& force = tank.floor->particles.vector(fields::viscous_force);
+    particles::Field<Vec<2>>& force = tank.floor->particles.vector(fields::viscous_force);
     const Vec<2> about(0.3, 0.2);
-    const Relation<2>& of_water = tank.relations.flow(water, *tank.floor, {});
-    for (const fluid::ViscousForm form :
-         {fluid::ViscousForm::laplacian, fluid::ViscousForm::central}) {
-        fluid::ViscousForce<2> viscous(tank.context, water, fluid::WallSlip::no_slip, form);
+    const neighbors::Relation<2>& of_water = tank.relations.flow(water, *tank.floor, {});
+    for (const dynamics::fluid::ViscousForm form :
+         {dynamics::fluid::ViscousForm::laplacian, dynamics::fluid::ViscousForm::central}) {
+        dynamics::fluid::ViscousForce<2> viscous(tank.context, water,
+                                                 dynamics::fluid::WallSlip::no_slip, form);
         force.setZero();
         viscous.addForces(*tank.floor, of_floor.list, force);
-        Load<2> sum;
+        dynamics::Load<2> sum;
         for (std::size_t j = 0; j < tank.floor->size(); ++j)
             sum.add(tank.floor->particles.position()[j] - about, force[j]);
-        const Load<2> load = viscous.loadOn(*tank.floor, of_water.list, about);
+        const dynamics::Load<2> load = viscous.loadOn(*tank.floor, of_water.list, about);
         // Lists hold gradients and distances as 32-bit whole numbers.
         CHECK((load.force - sum.force).norm() < 1e-12 * sum.force.norm());
         CHECK(load.moment[0] == Approx(sum.moment[0]).epsilon(1e-8));
@@ -169,15 +171,15 @@ TEST_CASE("moments by friction are those of the forces on the wall's particles")
 
 TEST_CASE("within an advection step the force is the one that the fluid feels") {
     Tank<2> tank(0.04);
-    Body<2>& water = *tank.water;
-    ParticleSet<2>& p = water.particles;
+    bodies::Body<2>& water = *tank.water;
+    particles::ParticleSet<2>& p = water.particles;
     for (std::size_t i = 0; i < water.size(); ++i) {
         p.position()[i] += 0.1 * tank.spacing * Vec<2>(std::sin(2.0 * i), std::cos(5.0 * i));
         p.vector(fields::velocity)[i] = Vec<2>(1, -2) * std::sin(7.0 * i);
     }
     ++water.version;
     Vec<2> pressure = Vec<2>::Zero();
-    for (const Body<2>* body : {tank.floor, tank.left, tank.right})
+    for (const bodies::Body<2>* body : {tank.floor, tank.left, tank.right})
         pressure += tank.forceOn(*body).first;
     const Vec<2> weight = massOf(water) * water.gravity();
     const Vec<2> before = massTimes(water, fields::velocity);
@@ -189,7 +191,7 @@ TEST_CASE("within an advection step the force is the one that the fluid feels") 
 
 TEST_CASE("the force does not depend on the order of the particles") {
     Tank<2> tank(0.04);
-    Body<2>& water = *tank.water;
+    bodies::Body<2>& water = *tank.water;
     const Vec<2> before = tank.forceOn(*tank.floor).first;
     water.particles.permute(reversed(water));
     ++water.version;
@@ -198,7 +200,7 @@ TEST_CASE("the force does not depend on the order of the particles") {
 
 TEST_CASE("lists of the loop are left alone by the force") {
     Tank<2> tank(0.04);
-    const Relation<2>& list = tank.relations.flow(*tank.water, *tank.floor, {});
+    const neighbors::Relation<2>& list = tank.relations.flow(*tank.water, *tank.floor, {});
     const std::uint64_t built = list.from_version;
     for (std::size_t i = 0; i < tank.water->size(); ++i)
         tank.water->particles.position()[i][1] += 0.01;

@@ -11,6 +11,7 @@
 #include <thread>
 
 using namespace sphinx;
+using namespace sphinx::neighbors;
 
 namespace {
 
@@ -30,15 +31,15 @@ std::vector<Vec<Dim>> randomPoints(std::size_t n, unsigned seed, double offset =
 }
 
 template <int Dim>
-CellGrid<Dim> gridOf(const std::vector<Vec<Dim>>& points, const Kernel<Dim>& kernel) {
+CellGrid<Dim> gridOf(const std::vector<Vec<Dim>>& points, const kernels::Kernel<Dim>& kernel) {
     CellGrid<Dim> grid;
     grid.build(points.data(), points.size(), kernel.cutoff());
     return grid;
 }
 
 template <int Dim>
-Domain<Dim> unitDomain(bool periodic) {
-    Domain<Dim> domain;
+bodies::Domain<Dim> unitDomain(bool periodic) {
+    bodies::Domain<Dim> domain;
     domain.bounds.lower = Vec<Dim>::Zero();
     domain.bounds.upper = Vec<Dim>::Ones();
     domain.periodic[0] = periodic;
@@ -48,8 +49,8 @@ Domain<Dim> unitDomain(bool periodic) {
 /// Builds the lists and compares them with a search over all pairs.
 template <int Dim>
 void compareWithAllPairs(bool same, bool periodic) {
-    const Kernel<Dim> kernel(KernelType::wendland_c2, h, h / 1.3);
-    const Domain<Dim> domain = unitDomain<Dim>(periodic);
+    const kernels::Kernel<Dim> kernel(kernels::KernelType::wendland_c2, h, h / 1.3);
+    const bodies::Domain<Dim> domain = unitDomain<Dim>(periodic);
     const auto from = randomPoints<Dim>(700, 1);
     const auto to = same ? from : randomPoints<Dim>(500, 2);
     NeighborList<Dim> list;
@@ -99,7 +100,7 @@ TEST_CASE("lists hold the pairs that a search over all pairs finds") {
 }
 
 TEST_CASE("a thread whose first cells have nothing near them builds empty lists") {
-    const Kernel<2> kernel(KernelType::wendland_c2, h, h / 1.3);
+    const kernels::Kernel<2> kernel(kernels::KernelType::wendland_c2, h, h / 1.3);
     const auto from = randomPoints<2>(100, 1);
     const auto far = randomPoints<2>(100, 2, 10);
     NeighborList<2> list;

@@ -7,6 +7,7 @@
 #include <random>
 
 using namespace sphinx;
+using namespace sphinx::neighbors;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <cstring>
 
 using namespace sphinx;
+using namespace sphinx::particles;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 using namespace sphinx;
+using namespace sphinx::particles;
 
 namespace {
 

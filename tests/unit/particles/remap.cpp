@@ -10,6 +10,7 @@
 #include <optional>
 
 using namespace sphinx;
+using namespace sphinx::particles;
 
 namespace {
 

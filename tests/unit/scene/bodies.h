@@ -34,13 +34,13 @@ struct Rubber {
     double damping = 0;
 };
 
-inline std::shared_ptr<const ElasticSolid> makeRubber(const Rubber& rubber = {}) {
-    IsotropicParameters p;
+inline std::shared_ptr<const materials::ElasticSolid> makeRubber(const Rubber& rubber = {}) {
+    materials::IsotropicParameters p;
     p.density = rubber.density;
     p.damping = rubber.damping;
     p.youngs_modulus = youngs_modulus;
     p.poisson_ratio = 0.3;
-    return std::make_shared<SaintVenantKirchhoff>(p);
+    return std::make_shared<materials::SaintVenantKirchhoff>(p);
 }
 
 /// The plane where x[axis] is `at`, of a body that lies behind it.
@@ -56,55 +56,60 @@ template <int Dim>
 struct Bodies {
     using Points = std::vector<Vec<Dim>>;
 
-    World<Dim> world;
+    bodies::World<Dim> world;
     double spacing = test::spacing;  ///< of the bodies that are added next
     Random random;
 
     /// It sees itself.
-    Body<Dim>& fluid(const std::string& name, const Points& points, const Water& water = {}) {
-        Body<Dim>& body = add(name, FluidRole<Dim>{std::make_shared<LinearFluid>(
-                                        water.density, sound_speed, water.viscosity)});
+    bodies::Body<Dim>& fluid(const std::string& name, const Points& points,
+                             const Water& water = {}) {
+        bodies::Body<Dim>& body =
+            add(name, bodies::FluidRole<Dim>{std::make_shared<materials::LinearFluid>(
+                          water.density, sound_speed, water.viscosity)});
         body.sees = {&body};
         return place(body, points);
     }
-    Body<Dim>& wall(const std::string& name, const Points& points) {
-        return place(add(name, WallRole{std::make_shared<Rigid>(density)}), points);
+    bodies::Body<Dim>& wall(const std::string& name, const Points& points) {
+        return place(add(name, bodies::WallRole{std::make_shared<materials::Rigid>(density)}),
+                     points);
     }
-    Body<Dim>& wall(const std::string& name, const Points& points, const Face& face) {
+    bodies::Body<Dim>& wall(const std::string& name, const Points& points, const Face& face) {
         return setFace(wall(name, points), face);
     }
-    Body<Dim>& elastic(const std::string& name, const Points& points, const Rubber& rubber = {}) {
-        return place(add(name, ElasticRole<Dim>{makeRubber(rubber)}, 1.15), points);
+    bodies::Body<Dim>& elastic(const std::string& name, const Points& points,
+                               const Rubber& rubber = {}) {
+        return place(add(name, bodies::ElasticRole<Dim>{makeRubber(rubber)}, 1.15), points);
     }
-    Body<Dim>& observer(const Points& points, std::vector<Body<Dim>*> sees) {
-        Body<Dim>& body = place(add("probe", ObserverRole{}), points);
+    bodies::Body<Dim>& observer(const Points& points, std::vector<bodies::Body<Dim>*> sees) {
+        bodies::Body<Dim>& body = place(add("probe", bodies::ObserverRole{}), points);
         body.sees = std::move(sees);
         return body;
     }
 
     /// Without particles. `smoothing`: smoothing lengths per spacing.
-    Body<Dim>& add(const std::string& name, decltype(Body<Dim>::role) role,
-                   double smoothing = 1.3) {
-        Body<Dim>& body = *world.bodies.emplace_back(std::make_unique<Body<Dim>>());
+    bodies::Body<Dim>& add(const std::string& name, decltype(bodies::Body<Dim>::role) role,
+                           double smoothing = 1.3) {
+        bodies::Body<Dim>& body = *world.bodies.emplace_back(std::make_unique<bodies::Body<Dim>>());
         body.name = name;
         body.role = std::move(role);
         body.spacing = spacing;
-        body.kernel = Kernel<Dim>(KernelType::wendland_c2, smoothing * spacing, spacing);
+        body.kernel =
+            kernels::Kernel<Dim>(kernels::KernelType::wendland_c2, smoothing * spacing, spacing);
         return body;
     }
     /// More particles.
-    Body<Dim>& place(Body<Dim>& body, const Points& points) {
-        std::vector<NewParticle<Dim>> made(points.size());
+    bodies::Body<Dim>& place(bodies::Body<Dim>& body, const Points& points) {
+        std::vector<bodies::NewParticle<Dim>> made(points.size());
         for (std::size_t k = 0; k < points.size(); ++k) {
             made[k].position = points[k];
             made[k].volume = body.isObserver() ? 0 : std::pow(body.spacing, Dim);
         }
-        addParticles(body, made);
+        bodies::addParticles(body, made);
         return body;
     }
     /// Normals and depths of a solid behind a plane.
-    Body<Dim>& setFace(Body<Dim>& body, const Face& face) {
-        ParticleSet<Dim>& p = body.particles;
+    bodies::Body<Dim>& setFace(bodies::Body<Dim>& body, const Face& face) {
+        particles::ParticleSet<Dim>& p = body.particles;
         auto& normal = p.vector(fields::normal);
         auto& depth = p.scalar(fields::depth);
         for (std::size_t i = 0; i < body.size(); ++i) {
@@ -115,8 +120,8 @@ struct Bodies {
     }
     /// A part with the particles for which inside(R) holds.
     template <class Inside>
-    void addPart(Body<Dim>& body, const std::string& name, Inside&& inside) {
-        BodyPart<Dim> part;
+    void addPart(bodies::Body<Dim>& body, const std::string& name, Inside&& inside) {
+        bodies::BodyPart<Dim> part;
         part.name = name;
         for (std::size_t i = 0; i < body.size(); ++i)
             if (inside(body.particles.position()[i]))
@@ -131,7 +136,8 @@ struct Bodies {
 
     /// Points of the lattice with lines half a spacing from the origin.
     Points box(const Vec<Dim>& lower, const Vec<Dim>& upper) const {
-        return latticePoints<Dim>(*geometry::makeBox<Dim>(lower, upper), spacing, Vec<Dim>::Zero());
+        return particles::latticePoints<Dim>(*geometry::makeBox<Dim>(lower, upper), spacing,
+                                             Vec<Dim>::Zero());
     }
     /// So many of them from the origin, displaced by up to `jitter` spacings.
     Points lattice(const std::array<int, Dim>& n, double jitter = 0) {

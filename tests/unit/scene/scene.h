@@ -11,14 +11,16 @@ namespace sphinx::test {
 /// Bodies, and what methods and outputs are built from.
 template <int Dim>
 struct Scene : Bodies<Dim> {
-    Relations<Dim> relations{this->world};
-    Context<Dim> context{this->world, relations};
+    neighbors::Relations<Dim> relations{this->world};
+    dynamics::Context<Dim> context{this->world, relations};
 
     /// "gate.base", or all of a body: "gate".
-    Part<Dim> part(const std::string& name) { return Part<Dim>(this->world, {name, {}}); }
+    dynamics::Part<Dim> part(const std::string& name) {
+        return dynamics::Part<Dim>(this->world, {name, {}});
+    }
     /// Adds it to the body: the particles for which inside(R) holds.
     template <class Inside>
-    Part<Dim> part(Body<Dim>& body, const std::string& name, Inside&& inside) {
+    dynamics::Part<Dim> part(bodies::Body<Dim>& body, const std::string& name, Inside&& inside) {
         this->addPart(body, name, std::forward<Inside>(inside));
         return part(body.name + "." + name);
     }

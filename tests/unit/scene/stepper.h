@@ -26,20 +26,21 @@ class Line {
 /// Steps one elastic body as a loop of its case would.
 template <int Dim>
 struct Stepper {
-    Body<Dim>& body;
-    solid::LinearCorrection<Dim> correction;
-    solid::StressRelaxation<Dim> relaxation;
+    bodies::Body<Dim>& body;
+    dynamics::solid::LinearCorrection<Dim> correction;
+    dynamics::solid::StressRelaxation<Dim> relaxation;
     Clock clock;
 
     /// `others`: those besides that have to announce themselves or to be prepared.
-    Stepper(Scene<Dim>& scene, Body<Dim>& stepped, std::vector<Method*> others = {})
+    Stepper(Scene<Dim>& scene, bodies::Body<Dim>& stepped,
+            std::vector<dynamics::Method*> others = {})
         : body(stepped),
           correction(scene.context, stepped),
           relaxation(scene.context, stepped, true, true) {
         others.insert(others.end(), {&correction, &relaxation});
-        for (Method* method : others) method->announce();
-        findShares(body);
-        for (Method* method : others) method->prepare();
+        for (dynamics::Method* method : others) method->announce();
+        bodies::findShares(body);
+        for (dynamics::Method* method : others) method->prepare();
         start();
     }
     void start() { correction.run({.is_start = true}); }

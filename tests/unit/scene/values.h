@@ -11,8 +11,8 @@ namespace sphinx::test {
 
 /// Gives every particle the value of(x) of a scalar or vector field, x being its position.
 template <int Dim, class Of>
-void give(Body<Dim>& body, const FieldInfo& field, Of&& of) {
-    ParticleSet<Dim>& p = body.particles;
+void give(bodies::Body<Dim>& body, const particles::FieldInfo& field, Of&& of) {
+    particles::ParticleSet<Dim>& p = body.particles;
     for (std::size_t i = 0; i < body.size(); ++i) {
         if constexpr (std::is_arithmetic_v<std::invoke_result_t<Of&, const Vec<Dim>&>>)
             p.scalar(field)[i] = of(p.position()[i]);
@@ -22,7 +22,7 @@ void give(Body<Dim>& body, const FieldInfo& field, Of&& of) {
 }
 
 template <int Dim>
-double massOf(Body<Dim>& body) {
+double massOf(bodies::Body<Dim>& body) {
     double sum = 0;
     for (std::size_t i = 0; i < body.size(); ++i) sum += body.particles.scalar(fields::mass)[i];
     return sum;
@@ -31,7 +31,7 @@ double massOf(Body<Dim>& body) {
 /// Mass times value, over the particles: the momentum of their velocities, the force of their
 /// accelerations.
 template <int Dim>
-Vec<Dim> massTimes(Body<Dim>& body, const FieldInfo& field) {
+Vec<Dim> massTimes(bodies::Body<Dim>& body, const particles::FieldInfo& field) {
     Vec<Dim> sum = Vec<Dim>::Zero();
     for (std::size_t i = 0; i < body.size(); ++i)
         sum += body.particles.scalar(fields::mass)[i] * body.particles.vector(field)[i];
@@ -39,13 +39,13 @@ Vec<Dim> massTimes(Body<Dim>& body, const FieldInfo& field) {
 }
 
 template <int Dim>
-Vec<Dim> centreOf(Body<Dim>& body) {
+Vec<Dim> centreOf(bodies::Body<Dim>& body) {
     return massTimes(body, fields::position) / massOf(body);
 }
 
 /// The particle nearest to a place.
 template <int Dim>
-std::size_t nearest(const Body<Dim>& body, const Vec<Dim>& place) {
+std::size_t nearest(const bodies::Body<Dim>& body, const Vec<Dim>& place) {
     const auto& x = body.particles.position();
     std::size_t found = 0;
     for (std::size_t i = 0; i < body.size(); ++i)
@@ -55,7 +55,7 @@ std::size_t nearest(const Body<Dim>& body, const Vec<Dim>& place) {
 
 /// All particles, from the last to the first.
 template <int Dim>
-AlignedVector<Index> reversed(const Body<Dim>& body) {
+AlignedVector<Index> reversed(const bodies::Body<Dim>& body) {
     AlignedVector<Index> order(body.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = static_cast<Index>(order.size() - 1 - i);

@@ -7,7 +7,7 @@
 
 // The terms of the acoustic step between two particles of a fluid, guide (56) to (58). Number is
 // double for one pair or Lanes for eight. v_ij = v_i - v_j.
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 /// Twice the pressure of the Riemann problem: the force on i is -2 p*_ij e_ij W' V_i V_j. Pressure.
 template <Riemann R, int Dim, class Number>
@@ -28,4 +28,4 @@ template <Riemann R, int Dim, class Number>
     return dot<Dim>(v_ij, pair.gradient) - pair.dW * velocityJump<R>(k, p_ij);
 }
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -4,7 +4,7 @@
 
 #include "core/number.h"
 
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 enum class Riemann { none, dissipative, low_dissipation };
 
@@ -50,4 +50,4 @@ void withRiemann(Riemann riemann, F&& f) {
     }
 }
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

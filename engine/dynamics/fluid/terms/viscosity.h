@@ -6,7 +6,7 @@
 
 // The terms of the viscous force between two particles. Number is double for one pair or Lanes for
 // eight. v_ij = v_i - v_j.
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 enum class ViscousForm { laplacian, central };
 
@@ -45,4 +45,4 @@ template <int Dim, class Number>
            depth / larger<Number>(apart - depth, everywhere<Number>(nearest));
 }
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -9,7 +9,7 @@
 // Riemann problem along the wall's normal, Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027.
 // Number is double for one pair or Lanes for eight. The fluid's and the wall's side get the same
 // numbers, so what one loses the other gains. In a pair e_ij points from the wall to the fluid.
-namespace sphinx::fluid {
+namespace sphinx::dynamics::fluid {
 
 /// The fluid's side of a pair.
 template <int Dim, class Number>
@@ -71,4 +71,4 @@ template <int Dim, class Number>
     return static_cast<ScalarOf<Number>>(-2) * closing * dot<Dim>(wall.n, pair.gradient);
 }
 
-}  // namespace sphinx::fluid
+}  // namespace sphinx::dynamics::fluid

@@ -38,7 +38,7 @@ void checkInside(const Layer& layer, bool may_extend, std::vector<Issue>& issues
 
 }  // namespace
 
-void checkLayers(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues) {
+void checkTimeSteps(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& issues) {
     const Layer& outermost = facts.plan.outermost;
     if (outermost.dt.empty() && !outermost.fixed_dt)
         issues.push_back(
@@ -50,7 +50,7 @@ void checkLayers(const LoopFacts& facts, const Flow& flow, std::vector<Issue>& i
         const FieldKey position{body.name, "position"};
         const bool moved =
             std::any_of(flow.nodes().begin(), flow.nodes().end(), [&](const FlowNode& node) {
-                return node.line && has(*node.line, AccessMode::write, position);
+                return node.line && has(*node.line, input::AccessMode::write, position);
             });
         if (body.moves && !moved)
             issues.push_back({Severity::warning, outermost.id,
