@@ -11,6 +11,8 @@
 #include "input/declaration/schema.h"
 #include "input/tree/suggest.h"
 
+#include <fcntl.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
@@ -19,6 +21,7 @@
 #include <filesystem>
 #include <new>
 #include <sstream>
+#include <system_error>
 
 namespace {
 
@@ -98,6 +101,14 @@ void requireVerb(const CLI::App& app, const std::string& word) {
         throw CaseError("error: there is no verb '" + word + "'" + input::didYouMean(word, verbs));
 }
 
+/// A program that is started without standard files would give their numbers to its results, and
+/// write its messages there.
+void keepStandardFiles() {
+    for (int number = 0; number <= 2; ++number)
+        if (::fcntl(number, F_GETFD) < 0 && errno == EBADF) [[maybe_unused]]
+            const int opened = ::open("/dev/null", number == 0 ? O_RDONLY : O_WRONLY);
+}
+
 int runProgram(int argc, char** argv) {
     input::Registry registry;
     language::registerAll(registry);
@@ -115,14 +126,22 @@ int runProgram(int argc, char** argv) {
         ->check(CLI::Range(1, 4096));
     auto* resume = run_verb->add_flag("--resume", line.run.resume,
                                       "go on from the newest restart in the results folder");
-    auto* restart = run_verb->add_option("--restart", line.run.restart,
-                                         "start from the state in this restart file");
+    const auto notEmpty = [](const std::string& text) {
+        return std::string(text.empty() ? "an empty text is none" : "");
+    };
+    auto* restart =
+        run_verb
+            ->add_option("--restart", line.run.restart, "start from the state in this restart file")
+            ->check(notEmpty);
     auto* overwrite = run_verb->add_flag("--overwrite", line.run.overwrite,
                                          "remove the results that the folder holds");
     resume->excludes(restart)->excludes(overwrite);
-    run_verb->add_option("--time-limit", line.time_limit,
-                         "write a restart and end after this wall time, such as 3h");
-    run_verb->add_flag("!--no-outputs", line.run.outputs, "write no files, for timing");
+    run_verb
+        ->add_option("--time-limit", line.time_limit,
+                     "write a restart and end after this wall time, such as 3h")
+        ->check(notEmpty);
+    run_verb->add_flag_callback(
+        "--no-outputs", [&] { line.run.outputs = false; }, "write no files, for timing");
     run_verb->callback([&] { code = runVerb(line, registry); });
 
     auto* check_verb = app.add_subcommand("check", "everything but stepping");
@@ -168,6 +187,7 @@ int runProgram(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    keepStandardFiles();
     try {
         return runProgram(argc, argv);
     } catch (const sphinx::CaseError& e) {
@@ -185,6 +205,9 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         printError("error: the case needs more memory than there is");
         return sphinx::exit_case_wrong;
+    } catch (const std::system_error& e) {
+        printError(std::string("error: the system refuses what the program needs: ") + e.what());
+        return sphinx::exit_files_failed;
     } catch (const std::exception& e) {
         printError(std::string("error: this is a fault of the program, please report it: ") +
                    e.what());

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <string>
 #include <system_error>
 
 namespace sphinx {
@@ -19,20 +19,27 @@ namespace {
 
 }  // namespace
 
-std::string readFile(const std::filesystem::path& path, std::uint64_t limit) {
-    std::error_code not_there;
-    if (std::filesystem::is_directory(path, not_there)) fail(path, "it is a folder");
+std::string readFile(const std::filesystem::path& path, std::uint64_t limit, FileKinds kinds) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) fail(path, std::strerror(ENOENT));
+    if (error) fail(path, error.message());
+    if (fs::is_directory(status)) fail(path, "it is a folder");
+    // Of a device there is no end, and for what a pipe has to say nobody knows how long to wait.
+    const bool pipe = fs::is_fifo(status) && kinds == FileKinds::pipe_too;
+    if (!fs::is_regular_file(status) && !pipe) fail(path, "it is no regular file");
     std::ifstream stream(path, std::ios::binary);
     if (!stream) fail(path, std::strerror(errno));
-    std::error_code no_size;  // of a pipe
-    const std::uintmax_t size = std::filesystem::file_size(path, no_size);
-    if (!no_size && size > limit)
-        fail(path, std::to_string(size) + " bytes are more than the " + std::to_string(limit) +
-                       " expected at most");
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (text.bad()) fail(path, std::strerror(errno));
-    return std::move(text).str();
+    std::string text;
+    char part[1 << 16];
+    while (stream.read(part, sizeof part) || stream.gcount() > 0) {
+        text.append(part, static_cast<std::size_t>(stream.gcount()));
+        if (text.size() > limit)
+            fail(path, "it has more than the " + std::to_string(limit) + " bytes expected at most");
+    }
+    if (stream.bad()) fail(path, std::strerror(errno));
+    return text;
 }
 
 }  // namespace sphinx

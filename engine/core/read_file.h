@@ -4,13 +4,15 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <string>
 
 namespace sphinx {
 
-/// Whole content of a file of at most `limit` bytes, which may be a pipe. Throws FileError.
-std::string readFile(const std::filesystem::path& path,
-                     std::uint64_t limit = std::numeric_limits<std::uint64_t>::max());
+/// What a file may be besides a regular one.
+enum class FileKinds { regular, pipe_too };
+
+/// Whole content of a file of at most `limit` bytes. Throws FileError.
+std::string readFile(const std::filesystem::path& path, std::uint64_t limit = 1ULL << 30,
+                     FileKinds kinds = FileKinds::regular);
 
 }  // namespace sphinx

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "core/errors.h"
+#include "core/read_file.h"
 #include "geometry/polygon.h"
 #include "geometry/shape.h"
 #include "geometry/wkt.h"
 
 #include <fmt/core.h>
-#include <cerrno>
+#include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -48,6 +48,19 @@ std::optional<Vec<2>> point(std::string_view line) {
     return Vec<2>(x, y);
 }
 
+/// Whether a line names columns: none of its words is a number.
+bool isHeader(std::string_view line) {
+    constexpr std::string_view between = " \t,;";
+    while (!line.empty()) {
+        const std::size_t begin = std::min(line.find_first_not_of(between), line.size());
+        line.remove_prefix(begin);
+        double value = 0;
+        if (takeNumber(line, value)) return false;
+        line.remove_prefix(std::min(line.find_first_of(between), line.size()));
+    }
+    return true;
+}
+
 Ring readPoints(const std::string& path, const std::string& text) {
     Ring ring;
     std::istringstream lines(text);
@@ -56,8 +69,7 @@ Ring readPoints(const std::string& path, const std::string& text) {
     for (int number = 1; std::getline(lines, raw); ++number) {
         const std::string_view line = trimmed(raw);
         if (line.empty() || line.front() == '#') continue;
-        const bool names =
-            first && line.find_first_of("0123456789") != 0 && line.find_first_of("+-.") != 0;
+        const bool names = first && isHeader(line);
         first = false;
         if (const std::optional<Vec<2>> p = point(line)) {
             ring.push_back(*p);
@@ -71,27 +83,18 @@ Ring readPoints(const std::string& path, const std::string& text) {
     return ring;
 }
 
-std::string contentOf(const std::string& path) {
-    // Opening a folder succeeds; reading it is what fails, without a cause.
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) {
-        throw ShapeError(fmt::format("cannot read {}: it is a folder", path));
-    }
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream content;
-    if (file.peek() != std::ifstream::traits_type::eof()) content << file.rdbuf();
-    if (!file.is_open() || file.bad() || content.fail()) {
-        const std::error_code cause(errno, std::generic_category());
-        throw ShapeError(fmt::format("cannot read {}: {}", path, cause.message()));
-    }
-    return content.str();
-}
-
 }  // namespace
 
 ShapePointer<2> readPolygon(const std::string& path) {
-    const std::string text = contentOf(path);
+    std::string text;
+    try {
+        text = readFile(path);
+    } catch (const FileError& error) {
+        throw ShapeError(error.what());
+    }
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw ShapeError(fmt::format("{} is text in UTF-16: save it in UTF-8", path));
+    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // a byte-order mark
     if (looksLikeWkt(text)) return std::make_shared<Polygon>(readWkt(path, text));
     Ring ring = readPoints(path, text);
     try {

@@ -43,6 +43,23 @@ class Scanner {
         }
         return result;
     }
+    /// "SRID=4326;" of extended well-known text.
+    void skipReferenceSystem() {
+        const std::size_t begin = at_;
+        if (word() == "SRID" && accept('=')) {
+            number();
+            if (accept(';')) return;
+        }
+        at_ = begin;
+    }
+    /// How many numbers a point has besides two: Z, M or ZM behind the type.
+    std::size_t furtherNumbers() {
+        const std::size_t begin = at_;
+        const std::string tag = word();
+        if (tag == "Z" || tag == "M" || tag == "ZM") return tag.size();
+        at_ = begin;
+        return 0;
+    }
     bool accept(char c) {
         if (atEnd() || text_[at_] != c) return false;
         ++at_;
@@ -77,13 +94,15 @@ class Scanner {
     std::size_t at_ = 0;
 };
 
-/// (x y, x y, ...), the last point equal to the first; it is dropped.
-Ring readRing(Scanner& in) {
+/// (x y, x y, ...), the last point equal to the first; it is dropped. `more`: numbers of a point
+/// that follow, a height or a measure, which a plane figure has no use for.
+Ring readRing(Scanner& in, std::size_t more) {
     in.expect('(');
     Ring ring;
     do {
         const double x = in.number();
         const double y = in.number();
+        for (std::size_t k = 0; k < more; ++k) in.number();
         ring.emplace_back(x, y);
     } while (in.accept(','));
     if (!in.accept(')')) in.failExpected("',' or ')' after two coordinates");
@@ -95,11 +114,11 @@ Ring readRing(Scanner& in) {
 }
 
 /// ((outer), (hole), ...); `name` stands before the messages.
-Rings readPolygon(Scanner& in, const std::string& name) {
+Rings readPolygon(Scanner& in, std::size_t more, const std::string& name) {
     Rings rings;
     in.expect('(');
     do {
-        const Ring ring = readRing(in);
+        const Ring ring = readRing(in, more);
         try {
             if (rings.empty()) {
                 rings.push_back(simpleRing(ring, name));
@@ -123,23 +142,27 @@ Rings readPolygon(Scanner& in, const std::string& name) {
 bool looksLikeWkt(std::string_view text) {
     // Column names of a table are followed by a comma or a blank and another name.
     Scanner in("", text);
+    in.skipReferenceSystem();
     const std::string word = in.word();
     return word.find("POLYGON") != std::string::npos || (!word.empty() && in.accept('('));
 }
 
 Rings readWkt(const std::string& path, std::string_view text) {
     Scanner in(path, text);
+    in.skipReferenceSystem();
     const std::string type = in.word();
     if (type != "POLYGON" && type != "MULTIPOLYGON") {
         in.fail(fmt::format("expected POLYGON or MULTIPOLYGON but found {}", type));
     }
+    const std::size_t more = in.furtherNumbers();
     std::vector<Rings> polygons;
     if (type == "POLYGON") {
-        polygons.push_back(readPolygon(in, ""));
+        polygons.push_back(readPolygon(in, more, ""));
     } else {
         in.expect('(');
         do {
-            polygons.push_back(readPolygon(in, fmt::format("polygon {}: ", polygons.size() + 1)));
+            polygons.push_back(
+                readPolygon(in, more, fmt::format("polygon {}: ", polygons.size() + 1)));
         } while (in.accept(','));
         in.expect(')');
     }

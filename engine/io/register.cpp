@@ -39,7 +39,8 @@ void declareFrames(input::Registry& registry, const char* name, const char* summ
         d.optional("precision", &P::precision,
                    input::choice<Precision>({
                        {"double", Precision::full, "64-bit numbers"},
-                       {"single", Precision::single, "32-bit numbers: half the size"},
+                       {"single", Precision::single,
+                        "32-bit numbers: half the size; places stay in 64 bits"},
                    }),
                    "of the numbers in the files");
     d.builder(outputFactory<P>(

@@ -30,6 +30,10 @@ WRONG = {
         "error: --time-limit is 'soon' but must be a time like 3h, 90min or 45s",
     "run CASE --time-limit -3h":
         "error: --time-limit is '-3h' but must be a time like 3h, 90min or 45s",
+    "run CASE --restart EMPTY": "--restart: an empty text is none",
+    "run CASE --time-limit EMPTY": "--time-limit: an empty text is none",
+    "run CASE --set include=[other.yaml]":
+        "--set:1:1: error: files are included before values are set: write it in the case",
     "run CASE --set": "--set: 1 required PATH=VALUE missing",
     "check": "case is required",
     "check CASE --set loop.end_time":
@@ -46,7 +50,7 @@ WRONG = {
 
 
 def check(sphinx, line, expected):
-    arguments = [CASE if word == "CASE" else word for word in line.split()]
+    arguments = [{"CASE": CASE, "EMPTY": ""}.get(word, word) for word in line.split()]
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([sphinx, *arguments], cwd=folder, capture_output=True, text=True,
                               timeout=300)

@@ -159,6 +159,12 @@ class ChangedCase(Promise):
                 self.assert_same_physics(last_restart(output), last_restart(whole))
                 results.check_readable(output)
 
+    def test_newest_by_what_it_says_itself(self):
+        older, newest = restarts(self.output).values()
+        shutil.copy(older, self.output / "restart" / "notes_5000.xml")
+        said = self.sphinx(self.case_file, self.output, "--resume")
+        self.assertIn(f"going on from {newest}", said)
+
     def test_all_restarts_damaged(self):
         for path in restarts(self.output).values():
             path.write_bytes(path.read_bytes()[:-1])

@@ -15,7 +15,7 @@ import unittest
 import numpy as np
 
 import results
-from support import SPHINX, Promise, Restart, last_restart, load_case, restarts
+from support import SECONDS, SPHINX, Promise, Restart, command, last_restart, load_case, restarts
 
 NOBODY = 65534
 LOOP = ("[density_summation, viscosity, gravity, {layer: acoustic, dt: 0.02, "
@@ -174,13 +174,11 @@ class CannotWrite(Promise):
             with self.subTest(part=part):
                 limit = int(part * largest)
 
-                def few_bytes():
-                    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                def few_bytes():  # as `ulimit -f` does it: the signal is not ignored
                     resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
 
                 output = self.folder / f"limit_{part}"
-                said = self.sphinx(self.case_file, output, expect=4, preexec_fn=few_bytes,
-                                   restore_signals=False)
+                said = self.sphinx(self.case_file, output, expect=4, preexec_fn=few_bytes)
                 self.assertIn("File too large", said)
                 resumed += bool(self.goes_on(output, said))
         self.assertGreater(resumed, 1)
@@ -251,6 +249,13 @@ class CannotWrite(Promise):
                 said = self.sphinx(self.case_file, output, *arguments, expect=4, **self.as_nobody)
                 self.assertRegex(said, rf"^error: .*{reason}\n$")
         hidden.chmod(0o755)
+
+    def test_without_standard_files(self):
+        # The first files that it opens must not get their numbers.
+        output = self.folder / "out"
+        subprocess.run(["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh",
+                        *command(self.case_file, output)], check=True, timeout=SECONDS)
+        self.assertEqual(results.differences(self.whole, output), [])
 
     def test_answer_to_a_full_disk(self):
         for verb in (["show", self.case_file], ["check", self.case_file], ["list"], ["schema"],

@@ -6,6 +6,7 @@ import pathlib
 import re
 import signal
 import subprocess
+import time
 import unittest
 
 import results
@@ -44,6 +45,44 @@ class Stopped(Promise):
         self.sphinx(self.case_file, parts, "--resume")
         self.assert_same_physics(last_restart(parts), last_restart(whole))
         self.assertEqual(results.differences(whole, parts), [])
+
+    def test_signals_of_batch_systems(self):
+        for number in (signal.SIGHUP, signal.SIGUSR1, signal.SIGUSR2, signal.SIGXCPU):
+            with self.subTest(signal=number.name):
+                self.assertGreater(self.stopped_by(number, self.folder / number.name), 0)
+
+    def test_within_a_step_of_which_no_end_is_in_sight(self):
+        # A step that is ten thousand years of substeps long.
+        forever = ("--set", "loop.dt=1e3", "--set", "loop.steps.acoustic.dt=1e-9")
+        output = self.folder / "out"
+        for arguments, code, why in ((["--time-limit", "1s"], 0, "the time limit of 1 s is over"),
+                                     ([], 128 + signal.SIGTERM, "told to end")):
+            process = subprocess.Popen(
+                command(self.case_file, output, *forever, "--overwrite", *arguments),
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            for line in process.stdout:
+                if "particles" in line:
+                    break
+            if not arguments:
+                time.sleep(2)
+                process.send_signal(signal.SIGTERM)
+            said, _ = process.communicate(timeout=SECONDS)
+            self.assertEqual(process.returncode, code, said)
+            self.assertIn("stopped within the step from time 0, of which no end was in sight: " + why,
+                          said)
+
+    def test_ignored_signals_stay_so(self):
+        # nohup ignores SIGHUP before it starts the program.
+        case = self.case("splash_2d", loop__end_time=0.2)
+        process = subprocess.Popen(
+            command(case, self.folder / "out"), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+            text=True, preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        for line in process.stdout:
+            if re.match(r"time .* step [1-9]", line):
+                break
+        process.send_signal(signal.SIGHUP)
+        said, _ = process.communicate(timeout=SECONDS)
+        self.assertEqual(process.returncode, 0, said)
 
     def test_time_limit(self):
         whole, parts = self.folder / "whole", self.folder / "parts"

@@ -33,12 +33,16 @@ struct Meeting {
     double overlap = 0;
 };
 
-/// Particles nearer than half a spacing: lattices side by side keep a whole spacing.
+/// Lattices side by side keep a whole spacing: of the larger one, what is too near.
+constexpr double too_near = 0.5 * (1 - rounding);
+constexpr double side_by_side = 1.2;
+
+/// Particles nearer than so many spacings.
 template <int Dim>
 Meeting<Dim> meet(const bodies::World<Dim>& world, const bodies::Body<Dim>& a,
-                  const bodies::Body<Dim>& b, bool shapes) {
+                  const bodies::Body<Dim>& b, bool shapes, double spacings = too_near) {
     const double spacing = std::max(a.spacing, b.spacing);
-    const double limit = 0.5 * spacing * (1 - rounding);
+    const double limit = spacings * spacing;
     neighbors::CellGrid<Dim> grid_a;
     neighbors::CellGrid<Dim> grid_b;
     grid_a.build(a.particles.position().data(), a.size(), spacing);
@@ -135,6 +139,26 @@ void checkPair(const model::Case& model, const bodies::World<Dim>& world,
                                               : latticeText(world, b, meeting.b)));
 }
 
+/// A fluid goes through what it does not see.
+template <int Dim>
+void checkSight(const model::Case& model, const bodies::World<Dim>& world,
+                const bodies::Body<Dim>& fluid, const bodies::Body<Dim>& other,
+                input::Diagnostics& diagnostics) {
+    if (std::ranges::find(fluid.sees, &other) != fluid.sees.end()) return;
+    const Meeting<Dim> meeting = meet(world, fluid, other, false, side_by_side);
+    if (meeting.count == 0) return;
+    const std::string place = world.placeText(fluid.particles.position()[meeting.a]);
+    diagnostics.warning(
+        model.findBody(fluid.name)->place,
+        other.isFluid()
+            ? fmt::format("{0} and {1} meet at {2}, and nothing acts between two fluids: they "
+                          "will pass through each other",
+                          fluid.name, other.name, place)
+            : fmt::format("{0} and {1} meet at {2}, but the topology of {0} lacks {1}: it will "
+                          "pass through",
+                          fluid.name, other.name, place));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -147,6 +171,10 @@ void checkOverlap(const model::Case& model, const bodies::World<Dim>& world,
             if (a.isObserver() || b.isObserver()) continue;
             if (a.size() == 0 || b.size() == 0) continue;
             checkPair<Dim>(model, world, a, b, diagnostics);
+            if (a.isFluid())
+                checkSight<Dim>(model, world, a, b, diagnostics);
+            else if (b.isFluid())
+                checkSight<Dim>(model, world, b, a, diagnostics);
         }
 }
 

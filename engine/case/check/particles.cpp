@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace sphinx::check {
 namespace {
@@ -20,9 +21,16 @@ constexpr double bytes_of_particle = 100;
 /// Lattices are counted by a sample where they have more points than that.
 constexpr double sampled_points = 1e6;
 
+/// Of the machine, or of the group of processes (cgroup) that the program belongs to.
 double physicalMemory() {
-    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-           static_cast<double>(sysconf(_SC_PAGESIZE));
+    double bytes =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    for (const char* file :
+         {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+        double limit = 0;  // or the word "max"
+        if (std::ifstream(file) >> limit) bytes = std::min(bytes, limit);
+    }
+    return bytes;
 }
 
 /// Number of lattice points in a shape, from a coarser lattice where there are many.
@@ -62,6 +70,31 @@ void checkDomain(const model::Body& source, const bodies::Body<Dim>& body,
                         world.placeText(position[first])));
 }
 
+/// The lattice of a body that reaches from side to side has a seam where the period is no multiple
+/// of its spacing.
+template <int Dim>
+void checkClosing(const model::Body& source, const bodies::Body<Dim>& body,
+                  const bodies::World<Dim>& world, int axis, input::Diagnostics& diagnostics) {
+    const Box<Dim>& domain = world.domain.bounds;
+    const Box<Dim> shape = body.shape->bounds();
+    const double period = domain.upper[axis] - domain.lower[axis];
+    const double cells = period / body.spacing;
+    constexpr double rounding = 1e-6;
+    const double slack = 0.5 * body.spacing;
+    if (shape.lower[axis] > domain.lower[axis] + slack ||
+        shape.upper[axis] < domain.upper[axis] - slack ||
+        std::abs(cells - std::round(cells)) <= rounding * cells)
+        return;
+    const auto length = [&](double value) { return world.quantityText(value, unit::length); };
+    const double fewer = std::floor(cells), more = fewer + 1;
+    diagnostics.error(
+        source.place,
+        fmt::format("the period in {}, {}, is {:.6g} spacings of {}, no whole number: its lattice "
+                    "would have a seam. Periods that fit: {} and {}; spacings that fit: {} and {}",
+                    "xyz"[axis], length(period), cells, body.name, length(fewer * body.spacing),
+                    length(more * body.spacing), length(period / more), length(period / fewer)));
+}
+
 /// Nearer images of a particle than its reach would be its neighbors.
 template <int Dim>
 void checkPeriod(const model::Body& source, const bodies::Body<Dim>& body,
@@ -76,6 +109,8 @@ void checkPeriod(const model::Body& source, const bodies::Body<Dim>& body,
                             "reach of the kernel of {}",
                             "xyz"[axis], world.quantityText(period, unit::length),
                             world.quantityText(body.kernel.cutoff(), unit::length), body.name));
+        if (domain.periodic[axis] && body.shape && !source.particles)
+            checkClosing(source, body, world, axis, diagnostics);
     }
 }
 

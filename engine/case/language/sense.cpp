@@ -132,6 +132,11 @@ class SenseCheck {
                                fmt::format("{} and {} are both fluids, which do not act on each "
                                            "other: make them one body",
                                            body.text, contact.body.text));
+        if (one == BodyKind::solid && other == BodyKind::solid && !contact.bonded)
+            diagnostics_.error(contact.body.place,
+                               fmt::format("nothing computes the contact of solids: {0} would pass "
+                                           "through {1}. One piece with it is '{{bonded: {1}}}'",
+                                           body.text, contact.body.text));
         if (contact.bonded && (one != BodyKind::solid || other != BodyKind::solid))
             diagnostics_.error(contact.body.place,
                                fmt::format("only solids are bonded to each other: {} is {}",

@@ -7,6 +7,7 @@
 #include "case/build/outputs.h"
 #include "case/build/world.h"
 #include "case/run/simulation.h"
+#include "core/sum_all.h"
 #include "materials/elastic_solid.h"
 #include "neighbors/neighbor_list.h"
 #include "neighbors/reference_list.h"
@@ -75,6 +76,25 @@ void printLayer(const loop::Layer& layer, int depth, const std::string& time_uni
     }
 }
 
+/// ", volume 2 m^3, mass 2000 kg": of the particles, and that of the shape where it is another one,
+/// because no lattice of the spacing fills it.
+template <int Dim>
+std::string massText(const bodies::World<Dim>& world, const bodies::Body<Dim>& body) {
+    const particles::FieldBase* volume = body.particles.find(fields::volume.name);
+    const particles::FieldBase* mass = body.particles.find(fields::mass.name);
+    if (!volume || !mass) return "";
+    const auto sum = [&](const particles::FieldBase& field) {
+        return sumAll(body.size(), [&](std::size_t i) { return field.numbers()[i]; });
+    };
+    const double filled = sum(*volume);
+    std::string text = fmt::format(", volume {}, mass {}", world.quantityText(filled, unit::volume),
+                                   world.quantityText(sum(*mass), unit::mass));
+    const double measure = body.shape ? body.shape->measure() : nan_value;
+    if (std::abs(filled - measure) > 1e-6 * measure)
+        text += fmt::format(" (its shape: {})", world.quantityText(measure, unit::volume));
+    return text;
+}
+
 /// Writes of the whole run, with those at the start and at the end.
 std::optional<double> writes(const model::Case& model, const input::Every& every) {
     const double span = model.loop.end_time - model.loop.start_time;
@@ -140,9 +160,10 @@ CheckReport check(const model::Case& model) {
 
     std::string out = "bodies\n";
     for (const auto& body : world->bodies)
-        out += fmt::format("  {}: {} particles, spacing {}, h {}\n", body->name, body->size(),
+        out += fmt::format("  {}: {} particles, spacing {}, h {}{}\n", body->name, body->size(),
                            world->quantityText(body->spacing, unit::length),
-                           world->quantityText(body->kernel.smoothingLength(), unit::length));
+                           world->quantityText(body->kernel.smoothingLength(), unit::length),
+                           massText(*world, *body));
     out += fmt::format("memory: about {}\n", sizeText(memory(*world)));
     out += "loop\n";
     for (const loop::Call& line : placed.facts.plan.start)

@@ -123,7 +123,7 @@ void Health<Dim>::check(const Clock& clock) {
         if (e.density > density_limit * rho0 && !warned_density_[body->name]) {
             warned_density_[body->name] = true;
             log::warning(fmt::format(
-                "time {}: the density of {} is off by {:.1f} % (up to 3 % is normal)",
+                "time {}: the density of {} is off by {:.3g} % (up to 3 % is normal)",
                 world_.quantityText(clock.time, unit::time), body->name, 100 * e.density / rho0));
         }
     }

@@ -17,9 +17,17 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <new>
 
 namespace sphinx::run {
 namespace {
+
+/// The step under way takes too long for what wants to end the run.
+struct StoppedWithinStep {
+    std::string why;
+};
+/// Steps that end by themselves within this time leave a restart.
+constexpr double patience = 5;  // seconds
 
 /// Drives a simulation to its end, or to where a signal or the time limit stops it, and tells of
 /// it.
@@ -41,6 +49,7 @@ class Run {
         logStart();
         const Timer wall;
         try {
+            simulation_.watchSubsteps([&] { losePatience(wall); });
             simulation_.begin();
             std::optional<std::string> stop = signalName();
             while (!simulation_.finished() && !stop) {
@@ -51,11 +60,19 @@ class Run {
             finish(stop);
             // A signal that came too late, while the last files were written, stopped nothing.
             if (simulation_.finished()) return exit_done;
+        } catch (const StoppedWithinStep& stopped) {
+            log::info(
+                fmt::format("stopped within the step from time {}, of which no end was in "
+                            "sight: {}; restarts stay as they are",
+                            timeText(), stopped.why));
         } catch (const PhysicsError&) {
             writeFailedState();
             // A number that is none any more is the reason, whoever stumbled over it first.
             simulation_.checkHealth();
             throw;
+        } catch (const std::bad_alloc&) {
+            throw FileError(
+                fmt::format("no memory is left at time {}; restarts stay as they are", timeText()));
         }
         return SignalGuard::received() ? 128 + SignalGuard::received() : exit_done;
     }
@@ -63,9 +80,11 @@ class Run {
  private:
     static std::optional<std::string> signalName() {
         switch (SignalGuard::received()) {
+            case 0: return {};
             case SIGINT: return "interrupted";
-            case SIGTERM: return "told to end";
-            default: return {};
+            case SIGHUP: return "its terminal has gone";
+            case SIGXCPU: return "the limit of processor time is reached";
+            default: return "told to end";
         }
     }
 
@@ -74,6 +93,16 @@ class Run {
         if (options_.time_limit && wall.seconds() > *options_.time_limit)
             return fmt::format("the time limit of {:g} s is over", *options_.time_limit);
         return {};
+    }
+
+    /// Asked before each substep: some steps have millions of them.
+    void losePatience(const Timer& wall) {
+        const std::optional<std::string> why = reasonToStop(wall);
+        if (!why) return;
+        if (!asked_to_stop_)
+            asked_to_stop_ = wall.seconds();
+        else if (wall.seconds() > *asked_to_stop_ + patience)
+            throw StoppedWithinStep{*why};
     }
 
     void finish(const std::optional<std::string>& stop) {
@@ -134,6 +163,7 @@ class Run {
     const io::Path& folder_;
     const io::Provenance& provenance_;
     Simulation<Dim> simulation_;
+    std::optional<double> asked_to_stop_;  // wall time
 };
 
 std::vector<io::Path> filesRead(const model::Case& model, const RunOptions& options) {

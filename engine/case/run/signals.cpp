@@ -13,6 +13,9 @@ namespace {
 volatile std::sig_atomic_t received_signal = 0;
 volatile std::sig_atomic_t remembers = 0;
 
+/// What batch systems and terminals send to end a program.
+constexpr int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU};
+
 // Only what a signal handler may call.
 void handle(int signal) {
     if (!remembers) {
@@ -29,14 +32,16 @@ void handle(int signal) {
 SignalGuard::SignalGuard() {
     received_signal = 0;
     remembers = 0;
-    std::signal(SIGINT, handle);
-    std::signal(SIGTERM, handle);
-    std::signal(SIGPIPE, SIG_IGN);
+    for (const int signal : ending) {
+        const auto before = std::signal(signal, handle);
+        // nohup, or a shell that runs it in the background: it stays so.
+        if (before == SIG_IGN) std::signal(signal, SIG_IGN);
+    }
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 SignalGuard::~SignalGuard() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int signal : ending) std::signal(signal, SIG_DFL);
 }
 
 void SignalGuard::remember() { remembers = 1; }

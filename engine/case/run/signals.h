@@ -4,9 +4,11 @@
 
 namespace sphinx::run {
 
-/// What SIGINT and SIGTERM do while it lives. At first they end the process at once, with exit code
+/// What SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2 and SIGXCPU do while it lives, unless they were
+/// ignored when the program started. At first they end the process at once, with exit code
 /// 128 + the signal; after remember() they are remembered instead, and a second one ends the
-/// process. A terminal or pipe that goes away (SIGPIPE) does not end the run.
+/// process. A terminal or pipe that goes away (SIGPIPE) does not end the run, and a file that may
+/// not grow (SIGXFSZ) is a FileError of the one who writes it.
 class SignalGuard {
  public:
     SignalGuard();

@@ -126,7 +126,8 @@ void Simulation<Dim>::restore() {
 
 std::string caseName(const model::Case& model) {
     std::error_code ignored;  // where there is no present folder any more
-    const std::filesystem::path path = std::filesystem::absolute(model.path, ignored);
+    const std::filesystem::path path =
+        std::filesystem::absolute(model.path, ignored).lexically_normal();
     return path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
 }
 

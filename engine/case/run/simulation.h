@@ -11,6 +11,7 @@
 #include "case/run/restart_source.h"
 #include "loop/run/runner.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,9 @@ class Simulation {
     void step();
     /// The end time is reached.
     bool finished() const { return runner_->finished(); }
+    /// Has it called before each substep; what it throws ends a step in its midst, after which only
+    /// restarts are left.
+    void watchSubsteps(const std::function<void()>& watch) { runner_->watchSubsteps(watch); }
     /// The last outputs; of a run that is not finished its restarts only.
     void end() { runner_->end(); }
 

@@ -4,7 +4,9 @@
 
 #include "input/tree/suggest.h"
 
+#include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 namespace sphinx::input {
 namespace {
@@ -83,7 +85,13 @@ bool Reader::hasMethod(std::string_view name) const {
 }
 
 std::optional<double> Reader::number(const Node& node, Dimension dimension) {
-    return scope.number(node, dimension, label, units, diagnostics);
+    const auto value = scope.number(node, dimension, label, units, diagnostics);
+    // Squares and cubes of it are still numbers.
+    constexpr double largest = 1e100;
+    if (!value || std::abs(*value) <= largest) return value;
+    error(node, fmt::format("{} is {:g} but must be between -{:g} and {:g}", label, *value, largest,
+                            largest));
+    return {};
 }
 
 bool readParameters(const Node& node, const Place& place, Reader& reader,

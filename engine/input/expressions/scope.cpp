@@ -75,6 +75,7 @@ struct Scope::Evaluation {
     Diagnostics& diagnostics;
     const bool allow_fields = false;
     const int case_dimension = 0;
+    KnownDimension known = {};  // of what was evaluated
 
     std::nullopt_t fail(const Place& place, std::string message) {
         diagnostics.error(place, std::move(message));
@@ -143,6 +144,7 @@ struct Scope::Evaluation {
         if (units.none && unit->dimension != unit::none)
             return fail(place,
                         "the case has 'units: none', so that " + unit_text + " means nothing here");
+        known = unit->dimension;
         return units.convert(*number, *unit);
     }
 
@@ -179,6 +181,7 @@ struct Scope::Evaluation {
         if (!good) return std::nullopt;
         try {
             ExpressionParser parser(node.text, constants);
+            if (!checkDimension(node)) return std::nullopt;
             if (!uses_time && !uses_place) return finite(node, parser.evaluate(0, 0, 0, 0));
         } catch (const ExpressionError& e) {
             return fail(within(node, e.position), label + ": " + e.message);
@@ -190,6 +193,26 @@ struct Scope::Evaluation {
         result.compiled_ = std::make_shared<FieldExpression::Compiled>(FieldExpression::Compiled{
             next_id++, node.text, std::move(constants), uses_time, uses_place});
         return result;
+    }
+
+    /// Reports known dimensions that are wrong, and keeps that of the whole.
+    bool checkDimension(const Node& node) {
+        const auto ofName = [&](std::string_view name) {
+            const auto variable = scope.variables_.find(name);
+            return variable == scope.variables_.end() ? KnownDimension{}
+                                                      : variable->second.dimension;
+        };
+        std::optional<ExpressionError> error;
+        known = knownDimension(node.text, ofName, error);
+        if (error) return fail(within(node, error->position), label + ": " + error->message), false;
+        if (!known || !dimension || *known == *dimension) return true;
+        return fail(node.place,
+                    *dimension == unit::none
+                        ? fmt::format("{} is a plain number, but '{}' is {}", label, node.text,
+                                      dimensionText(*known))
+                        : fmt::format("{} needs a unit like {}, but '{}' is {}", label,
+                                      siText(*dimension), node.text, dimensionText(*known))),
+               false;
     }
 
     /// Reports a name that cannot stand there.
@@ -265,6 +288,7 @@ std::optional<double> Scope::resolve(const std::string& name, const Place& user,
     stack_.pop_back();
     variable.state = value ? State::done : State::failed;
     if (value) variable.value = value->value();
+    variable.dimension = evaluation.known;
     return value ? std::optional(variable.value) : std::nullopt;
 }
 

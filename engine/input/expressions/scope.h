@@ -3,6 +3,7 @@
 #pragma once
 
 #include "input/expressions/expression.h"
+#include "input/expressions/known_dimension.h"
 #include "input/expressions/units.h"
 #include "input/tree/diagnostics.h"
 #include "input/tree/node.h"
@@ -43,6 +44,7 @@ class Scope {
         Place key;
         State state = State::waiting;
         double value = 0;
+        KnownDimension dimension;  ///< known where it was given with a unit
         bool used = false;
         bool used_by_field = false;
     };

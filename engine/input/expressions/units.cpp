@@ -41,6 +41,7 @@ constexpr std::array named_units{
     NamedUnit{"kN", {unit::force, 1, 3}},
     NamedUnit{"MN", {unit::force, 1, 6}},
     NamedUnit{"Pa", {unit::pressure, 1, 0}},
+    NamedUnit{"mPa", {unit::pressure, 1, -3}},
     NamedUnit{"hPa", {unit::pressure, 1, 2}},
     NamedUnit{"kPa", {unit::pressure, 1, 3}},
     NamedUnit{"MPa", {unit::pressure, 1, 6}},

@@ -141,7 +141,8 @@ LoadedCase loadText(std::string name, std::string text, const std::vector<std::s
 
 LoadedCase loadCase(const std::string& path, const std::vector<std::string>& overrides,
                     const std::vector<std::string>& named_blocks, Diagnostics& diagnostics) {
-    return loadText(path, readFile(path), overrides, named_blocks, diagnostics);
+    return loadText(path, readFile(path, 1ULL << 30, FileKinds::pipe_too), overrides, named_blocks,
+                    diagnostics);
 }
 
 }  // namespace sphinx::input

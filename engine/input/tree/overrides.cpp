@@ -123,6 +123,11 @@ void applyOverrides(Node& root, const std::vector<std::string>& overrides,
             diagnostics.error(place(0), "expected path=value, such as loop.end_time=1");
             continue;
         }
+        if (text.substr(0, equals) == "include") {
+            diagnostics.error(place(0),
+                              "files are included before values are set: write it in the case");
+            continue;
+        }
         std::vector<Piece> path;
         for (std::size_t begin = 0; begin <= equals;) {
             const std::size_t end = std::min(text.find('.', begin), equals);

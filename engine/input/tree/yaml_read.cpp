@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "input/tree/yaml.h"
+
+#include "core/characters.h"
 #include "input/tree/yaml_traps.h"
 
 #include <yaml-cpp/eventhandler.h>
@@ -85,6 +87,10 @@ class TreeBuilder final : public YAML::EventHandler {
         node.quoted = tag == "!";
         node.flow = !frames_.empty() && frames_.back().node.flow;
         refuseTag(tag, node.place);
+        if (!isPlainText(value))
+            throw Refused{node.place,
+                          "this text has characters that are none to be read, such as "
+                          "those that control a terminal"};
         if (node.quoted && !quoteIsClosed(text_, mark.pos))
             throw Refused{node.place, "the quote that opens here is never closed"};
         if (wantsKey())

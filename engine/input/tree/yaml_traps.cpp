@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/tree/yaml_traps.h"
 
+#include "core/characters.h"
+
 #include <algorithm>
 
 namespace sphinx::input {
@@ -9,18 +11,6 @@ namespace {
 
 constexpr std::size_t largest_text = 4'000'000;
 constexpr std::size_t longest_line = 100'000;
-
-/// Length of the UTF-8 character at the start of text, 0 when it is none.
-std::size_t utf8Length(std::string_view text) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-    const unsigned char lead = byte(0);
-    if (lead < 0x80) return 1;
-    const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
-    for (std::size_t k = 1; k < length; ++k)
-        if ((byte(k) & 0xC0) != 0x80) return 0;
-    return length;
-}
 
 int parenthesisBalance(std::string_view text) {
     return static_cast<int>(std::count(text.begin(), text.end(), '(') -
@@ -77,9 +67,9 @@ bool checkText(const std::shared_ptr<const Source>& source, std::string_view tex
                               " are read (put long lists into files)");
         bool indentation = true;
         for (std::size_t k = begin; k < end;) {
-            const std::size_t length = utf8Length(text.substr(k, end - k));
+            const std::size_t length = characterLength(text.substr(k, end - k));
             const char c = text[k];
-            if (length == 0 || (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r'))
+            if (length == 0)
                 return refuse(
                     -offset.line, 0,
                     "this is not a text file: byte " + std::to_string(k) + " is not UTF-8 text");

@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "io/file/compress.h"
 #include "io/file/number_text.h"
+#include "particles/fields.h"
 
 #include <algorithm>
 
@@ -69,11 +70,27 @@ int componentsOf(particles::Rank rank, FieldLayout layout) {
     return static_cast<int>(componentMap<Dim>(rank, layout).size());
 }
 
+int componentsOf(const std::vector<const particles::FieldBase*>& fields) {
+    int components = 0;
+    for (const particles::FieldBase* field : fields) components += field->components();
+    return components;
+}
+
 double frameBytes(const std::vector<const particles::FieldBase*>& fields, std::size_t particles,
-                  double number) {
-    double numbers = 0;
-    for (const particles::FieldBase* field : fields) numbers += field->components();
-    return numbers * number * static_cast<double>(particles);
+                  bool single_precision) {
+    double bytes = 0;
+    for (const particles::FieldBase* field : fields)
+        bytes += field->components() *
+                 static_cast<double>(bytesOf(numberType(field->info(), single_precision)));
+    return bytes * static_cast<double>(particles);
+}
+
+NumberType numberType(const particles::FieldInfo& info, bool single_precision) {
+    if (info.rank == particles::Rank::integer) return NumberType::int64;
+    // Far from the origin, places in single precision would fall on each other.
+    const bool place =
+        info.name == fields::position.name || info.name == fields::initial_position.name;
+    return single_precision && !place ? NumberType::float32 : NumberType::float64;
 }
 
 template <int Dim>
@@ -81,21 +98,21 @@ ArrayView ArrayGatherer<Dim>::gather(const particles::FieldBase& field,
                                      const particles::IdOrder& order) {
     ArrayView view;
     view.name = field.info().name;
-    if (field.info().rank == particles::Rank::integer) {
-        view.type = NumberType::int64;
+    view.type = numberType(field.info(), single_precision_);
+    if (view.type == NumberType::int64) {
         view.bytes = order.bytes(field, buffer_);
         return view;
     }
     const std::vector<int> map = componentMap<Dim>(field.info().rank, layout_);
     view.components = static_cast<int>(map.size());
-    if (!single_precision_ && field.components() == view.components && unchangedOrder(map)) {
+    const bool single = view.type == NumberType::float32;
+    if (!single && field.components() == view.components && unchangedOrder(map)) {
         view.bytes = order.bytes(field, buffer_);
         return view;
     }
-    view.type = single_precision_ ? NumberType::float32 : NumberType::float64;
     buffer_.resize(order.size() * map.size() * bytesOf(view.type));
     void* target = buffer_.data();
-    if (single_precision_)
+    if (single)
         convert(field.numbers(), field.components(), map, order, static_cast<float*>(target));
     else
         convert(field.numbers(), field.components(), map, order, static_cast<double*>(target));

@@ -60,9 +60,15 @@ class ArrayGatherer {
 template <int Dim>
 int componentsOf(particles::Rank rank, FieldLayout layout);
 
-/// Bytes of a frame of these fields, with so many bytes a number.
+/// Numbers of one particle in these fields.
+int componentsOf(const std::vector<const particles::FieldBase*>& fields);
+
+/// Bytes of a frame of these fields in binary.
 double frameBytes(const std::vector<const particles::FieldBase*>& fields, std::size_t particles,
-                  double number);
+                  bool single_precision);
+
+/// Of the values of a field in a file: ids are whole numbers, and places keep their digits.
+NumberType numberType(const particles::FieldInfo& info, bool single_precision);
 
 /// Of the values of the field by ascending id, to tell whether it changed.
 std::uint64_t fieldFingerprint(const particles::FieldBase& field, const particles::IdOrder& order);

@@ -58,9 +58,8 @@ std::vector<OutputFile> Hdf5Output<Dim>::files() const {
     for (const auto& series : series_) {
         std::vector<const particles::FieldBase*> fields;
         for (const auto& member : series->members) fields.push_back(member.field);
-        files.push_back(
-            {"results.h5:bodies/" + series->body->name,
-             frameBytes(fields, series->body->size(), parameters_.single_precision ? 4 : 8)});
+        files.push_back({"results.h5:bodies/" + series->body->name,
+                         frameBytes(fields, series->body->size(), parameters_.single_precision)});
     }
     return files;
 }

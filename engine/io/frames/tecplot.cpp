@@ -84,7 +84,8 @@ std::vector<OutputFile> TecplotOutput<Dim>::files() const {
     std::vector<OutputFile> files;
     for (const Series& series : series_)
         files.push_back(
-            {series.body->name + "_*.dat", frameBytes(series.fields, series.body->size(), number)});
+            {series.body->name + "_*.dat",
+             number * componentsOf(series.fields) * static_cast<double>(series.body->size())});
     return files;
 }
 

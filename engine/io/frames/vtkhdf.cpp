@@ -68,7 +68,7 @@ class VtkHdfOutput<Dim>::Series {
         std::vector<const particles::FieldBase*> fields;
         for (const Member& member : members_) fields.push_back(member.field);
         return {path_.filename().string(),
-                frameBytes(fields, body_->size(), parameters_.single_precision ? 4 : 8)};
+                frameBytes(fields, body_->size(), parameters_.single_precision)};
     }
 
     void transfer(Archive& archive) {
@@ -101,9 +101,7 @@ class VtkHdfOutput<Dim>::Series {
             const particles::FieldInfo& info = member.field->info();
             VtkHdfArray array;
             array.name = info.name;
-            array.type = info.rank == particles::Rank::integer ? Number::int64
-                         : parameters_.single_precision        ? Number::float32
-                                                               : Number::float64;
+            array.type = numberOf(numberType(info, parameters_.single_precision));
             array.components = componentsOf<Dim>(info.rank, FieldLayout::padded);
             array.attributes = {{"unit", parameters_.units.text(info.unit)},
                                 {"description", std::string(info.doc)}};

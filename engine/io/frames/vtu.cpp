@@ -174,9 +174,8 @@ std::vector<OutputFile> VtuOutput<Dim>::files() const {
     for (const auto& series : series_) {
         std::vector<const particles::FieldBase*> fields = series->fields;
         fields.push_back(series->position);
-        files.push_back(
-            {series->body->name + "_*.vtu",
-             frameBytes(fields, series->body->size(), parameters_.single_precision ? 4 : 8)});
+        files.push_back({series->body->name + "_*.vtu",
+                         frameBytes(fields, series->body->size(), parameters_.single_precision)});
     }
     return files;
 }
@@ -203,7 +202,9 @@ template <int Dim>
 void VtuOutput<Dim>::writeFrame(Series& series, const particles::IdOrder& order, const Path& path,
                                 double time) {
     const std::size_t n = order.size();
-    const char* number = parameters_.single_precision ? "Float32" : "Float64";
+    const auto type = [&](const particles::FieldBase& field) {
+        return typeName(numberType(field.info(), parameters_.single_precision));
+    };
     const auto unit = [&](const particles::FieldBase& field) {
         return parameters_.units.text(field.info().unit);
     };
@@ -219,13 +220,11 @@ void VtuOutput<Dim>::writeFrame(Series& series, const particles::IdOrder& order,
     header.text("</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(n) +
                 "\" NumberOfCells=\"" + std::to_string(n) + "\">\n<PointData>\n");
     for (const particles::FieldBase* field : series.fields) {
-        const particles::Rank rank = field->info().rank;
-        header.array(rank == particles::Rank::integer ? typeName(NumberType::int64) : number,
-                     field->info().name, componentsOf<Dim>(rank, FieldLayout::padded),
-                     unit(*field));
+        header.array(type(*field), field->info().name,
+                     componentsOf<Dim>(field->info().rank, FieldLayout::padded), unit(*field));
     }
     header.text("</PointData>\n<Points>\n");
-    header.array(number, "Points", 3, unit(*series.position));
+    header.array(type(*series.position), "Points", 3, unit(*series.position));
     header.text("</Points>\n<Cells>\n");
     header.array("Int64", "connectivity", 1, "");
     header.array("Int64", "offsets", 1, "");

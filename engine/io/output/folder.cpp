@@ -46,8 +46,10 @@ OutputFolder::OutputFolder(const Path& path, ExistingResults existing) : path_(p
         throw FileError("cannot open folder " + path.string() + ": " + std::strerror(errno));
     try {
         // The lock goes with the process, however it ends.
-        if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-            throw FileError("another run is writing to " + path.string());
+        if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+            throw FileError(errno == EWOULDBLOCK
+                                ? "another run is writing to " + path.string()
+                                : "cannot lock " + path.string() + ": " + std::strerror(errno));
         std::error_code error;
         const bool empty = std::filesystem::is_empty(path, error);
         if (error) throw FileError("cannot read " + path.string() + ": " + error.message());

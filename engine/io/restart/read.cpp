@@ -181,18 +181,26 @@ std::int64_t restartSteps(const Path& path) {
 }
 
 RestartSearch findNewestValid(const Path& folder) {
-    std::error_code error;
-    std::vector<Path> candidates;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-        if (restartSteps(entry.path()) >= 0) candidates.push_back(entry.path());
-    std::sort(candidates.begin(), candidates.end(), [](const Path& a, const Path& b) {
-        const std::int64_t steps_a = restartSteps(a), steps_b = restartSteps(b);
-        return steps_a != steps_b ? steps_a > steps_b : a < b;
-    });
     RestartSearch search;
-    for (const Path& path : candidates) {
+    // By what they say themselves: a file may have been copied under another name.
+    std::vector<std::pair<std::int64_t, Path>> candidates;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const Path& path = entry.path();
+        if (restartSteps(path) < 0) continue;
         try {
-            readRestartHeader(path);
+            XmlReader reader(path);
+            candidates.emplace_back(readHeader(reader, path).steps, path);
+        } catch (const FileError&) {
+            candidates.emplace_back(restartSteps(path), path);  // what is wrong comes below
+        }
+    }
+    std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
+        return a.first != b.first ? a.first > b.first : a.second < b.second;
+    });
+    for (const auto& [steps, path] : candidates) {
+        try {
+            verifyRestart(path);
             search.found = path;
             break;
         } catch (const FileError& problem) {

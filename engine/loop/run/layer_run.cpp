@@ -114,6 +114,7 @@ void LayerRun::stepFreely() {
 double LayerRun::cover(double from, double until) {
     clock_.time = clock_.interval_start = from;
     do {
+        if (watch_) watch_();
         const TimedCall timed(tally_);
         const Substep next = fitSubstep(layer_.fit, clock_.time, until, estimate());
         if (!(next.end > clock_.time))
@@ -171,6 +172,14 @@ void LayerRun::run(CallRun& line) {
     }
     line.tally.particles += static_cast<double>(line.call->method->workSize());
     if (line.call->window.until) line.to_rest = true;
+}
+
+void LayerRun::watchSubsteps(const std::function<void()>& watch) {
+    for (Line& line : lines_)
+        if (auto* inner = std::get_if<std::unique_ptr<LayerRun>>(&line)) {
+            (*inner)->watch_ = watch;
+            (*inner)->watchSubsteps(watch);
+        }
 }
 
 void LayerRun::transfer(Archive& archive) {

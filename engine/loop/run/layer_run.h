@@ -51,6 +51,10 @@ class LayerRun {
     /// not counted as time of the loop.
     void sampleSubsteps(std::function<void(const Clock&)> sampler);
 
+    /// Has it called before each substep of the layers inside this one. What it throws ends the
+    /// step in its midst: nothing can go on from there.
+    void watchSubsteps(const std::function<void()>& watch);
+
     /// Clocks, triggers and windows under way of this layer and of all inside it, a section for
     /// each layer.
     void transfer(Archive& archive);
@@ -77,6 +81,7 @@ class LayerRun {
     std::vector<Line> lines_;
     std::vector<Tally> estimate_tallies_;
     std::vector<std::function<void(const Clock&)>> samplers_;
+    std::function<void()> watch_;
     Tally tally_;  // calls are substeps
 };
 

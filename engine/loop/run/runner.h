@@ -41,6 +41,8 @@ class Runner {
     /// well, also when no step is made.
     void leaveRestarts() { outputs_.leaveRestarts(); }
     bool resumed() const { return resumed_; }
+    /// LayerRun::watchSubsteps of the outermost layer.
+    void watchSubsteps(const std::function<void()>& watch) { outermost_.watchSubsteps(watch); }
 
     /// Of the outermost layer.
     const Clock& clock() const { return outermost_.clock(); }

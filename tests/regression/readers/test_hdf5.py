@@ -30,7 +30,8 @@ class Hdf5Files(unittest.TestCase):
                         arrays["position"] = position
                         self.assertEqual(sorted(stored), sorted(arrays))
                         for field, expected in arrays.items():
-                            self.assertTrue(samples.same(stored[field][:], expected, single),
+                            rounded = single and field != "position"  # places keep their digits
+                            self.assertTrue(samples.same(stored[field][:], expected, rounded),
                                             f"{name} {body} {frame} {field}")
                 pressure = file["bodies/water/frame_000000/pressure"]
                 self.assertEqual(pressure.attrs["unit"].decode(), "Pa")

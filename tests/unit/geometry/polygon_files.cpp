@@ -68,6 +68,7 @@ TEST_CASE("tables of points that are wrong") {
         folder.error("0 0\n1 1\n1 0\n0 1") ==
         ": edge 1 from (0, 0) to (1, 1) crosses edge 3 from (1, 0) to (0, 1); edges may meet only "
         "where one ends and the next begins");
+    CHECK(folder.error("O 0\n1 0\n1 1\n0 1\n") == ":1: " + expected + "'O 0'");
     CHECK(folder.error("0 1e999\n") == ":1: " + expected + "'0 1e999'");
 }
 
@@ -100,6 +101,20 @@ TEST_CASE("well-known text") {
     const auto joined =
         folder.read("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((1 0, 2 0, 2 1, 1 1, 1 0)))");
     CHECK(joined->signedDistance({1, 0.5}) == -0.5);
+    // As other programs write it: with a byte-order mark, a reference system, heights and measures.
+    for (const char* text : {"\xef\xbb\xbfPOLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))",
+                             "SRID=25832; POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))",
+                             "POLYGON Z ((0 0 5, 2 0 5, 2 1 5, 0 1 7, 0 0 5))",
+                             "POLYGON ZM((0 0 5 1, 2 0 5 2, 2 1 5 3, 0 1 5 4, 0 0 5 5))",
+                             "\xef\xbb\xbf"
+                             "0 0\n2 0\n2 1\n0 1\n"})
+        CHECK(folder.read(text)->measure() == 2);
+    CHECK(messageOf([&] {
+              folder.read(
+                  std::string("\xff\xfe"
+                              "0\0 \0",
+                              6));
+          }) == folder.file() + " is text in UTF-16: save it in UTF-8");
     // A hole that touches the outer ring in a corner is allowed.
     CHECK(folder.read("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (0 0, 2 1, 1 2, 0 0))")->measure() ==
           14.5);
@@ -110,7 +125,7 @@ TEST_CASE("well-known text that is wrong") {
     const std::vector<std::pair<std::string, std::string>> wrong{
         {"POINT (1 2)", ":1: expected POLYGON or MULTIPOLYGON but found POINT"},
         {"POLYGON EMPTY", ":1: expected '(' but found 'EMPTY'"},
-        {"POLYGON Z ((0 0 0, 1 0 0))", ":1: expected '(' but found 'Z'"},
+        {"POLYGON Z ((0 0, 1 0))", ":1: expected a number but found ','"},
         {"POLYGON ((0 0,\n1 0,\n1 b, 0 0))", ":3: expected a number but found 'b'"},
         {"POLYGON ((0 0 1, 1 0 1, 1 1 1, 0 0 1))",
          ":1: expected ',' or ')' after two coordinates but found '1'"},

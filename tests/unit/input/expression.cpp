@@ -109,6 +109,30 @@ TEST_CASE("A quantity is number, blank, unit") {
     CHECK(f.value("90 deg") == Approx(std::numbers::pi / 2));
 }
 
+TEST_CASE("What was given with a unit keeps its dimension") {
+    Fixture f({{"L", "2 m"}, {"T", "4 s"}, {"g", "9.81 m/s^2"}, {"h", "0.3"}, {"v", "sqrt(g*L)"}});
+    CHECK(f.diagnostics.text().empty());
+    CHECK(f.value("L", unit::length) == 2);
+    CHECK(f.value("-(L + h)", unit::length) == -2.3);
+    CHECK(f.value("L/T", unit::velocity) == 0.5);
+    CHECK(f.value("L^2", unit::area) == 4);
+    CHECK(f.value("max(L, h) + v*T", unit::length) > 2);
+    // Bare numbers, and what is made of them, fit anything.
+    CHECK(f.value("h", unit::time) == 0.3);
+    CHECK(f.value("10*L", unit::velocity) == 20);
+    CHECK(f.value("sqrt(g*h)", unit::velocity) > 0);
+    CHECK(f.value("L > h ? 1 : 2", unit::time) == 1);
+
+    CHECK(f.error("L", unit::time) == "error: value needs a unit like s, but 'L' is length\n");
+    CHECK(f.error("-g", unit::velocity) ==
+          "error: value needs a unit like m/s, but '-g' is length/time^2\n");
+    CHECK(f.error("L/T") == "error: value is a plain number, but 'L/T' is length/time\n");
+    CHECK(f.error("h*(L + T)", unit::length) ==
+          "error: value: length and time do not go together\n");
+    CHECK(f.error("min(L, h, T)", unit::length) ==
+          "error: value: length and time do not go together\n");
+}
+
 TEST_CASE("Expressions of place and time") {
     Fixture f({{"wave", "0.05"}});
     const FieldExpression field = f.field("wave*cos(2*x) + y*z - t");
