@@ -8,12 +8,36 @@
 
 namespace sphinx::check {
 
+namespace {
+
+/// A single row of particles has no gradients across it.
+template <int Dim>
+void checkRows(const model::Body& source, const bodies::Body<Dim>& body,
+               const bodies::World<Dim>& world, input::Diagnostics& diagnostics) {
+    for (int axis = 0; axis < Dim; ++axis) {
+        Box<Dim> box;
+        for (const bodies::Body<Dim>* piece : body.piece())
+            for (std::size_t i = 0; i < piece->size(); ++i)
+                box.include(piece->particles.position()[i]);
+        if (box.size()[axis] > 0.5 * body.spacing) continue;
+        diagnostics.error(
+            source.place,
+            fmt::format("{} has one row of particles in {}, and an elastic body needs two at least "
+                        "(six for bending): its spacing is {}",
+                        body.name, "xyz"[axis], world.quantityText(body.spacing, unit::length)));
+        return;
+    }
+}
+
+}  // namespace
+
 template <int Dim>
 void checkElastic(const model::Case& model, const bodies::World<Dim>& world,
                   input::Diagnostics& diagnostics) {
     for (const model::Body& source : model.bodies) {
         if (source.role != bodies::Role::elastic) continue;
         const bodies::Body<Dim>& body = *world.find(source.name);
+        checkRows(source, body, world, diagnostics);
         for (int axis = 0; axis < Dim; ++axis) {
             if (!world.domain.periodic[axis]) continue;
             double low = std::numeric_limits<double>::infinity();

@@ -17,9 +17,21 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_files = 100;
 
-/// Values of `over` win; maps merge by key, everything else replaces.
-void merge(Node& base, Node over) {
-    if (!base.isMap() || !over.isMap()) {
+/// The same entry in two files stands for two things that share no keys: components of another
+/// type, or shapes, {box: ...} and {difference: ...}.
+bool isAnother(const Node& base, const Node& over, bool shape) {
+    const Node* old_type = base.find("type");
+    const Node* type = over.find("type");
+    if (old_type && type) return old_type->text != type->text;
+    return shape && base.entries.size() == 1 && over.entries.size() == 1 &&
+           base.entries[0].key != over.entries[0].key;
+}
+
+/// Values of `over` win; maps merge by key, everything else replaces. `path`: the keys that lead
+/// here.
+void merge(Node& base, Node over, const std::vector<std::string>& path = {}) {
+    const bool shape = path.size() == 2 && path[0] == "geometry";
+    if (!base.isMap() || !over.isMap() || isAnother(base, over, shape)) {
         base = std::move(over);
         return;
     }
@@ -32,7 +44,9 @@ void merge(Node& base, Node over) {
             base.entries.push_back(std::move(entry));
         } else {
             present->place = entry.place;
-            merge(present->value, std::move(entry.value));
+            std::vector<std::string> inside = path;
+            inside.push_back(entry.key);
+            merge(present->value, std::move(entry.value), inside);
         }
     }
 }

@@ -44,7 +44,15 @@ std::optional<std::string> nearest(std::string_view wrong, const std::vector<std
             (!best || editDistance(wrong, name) < editDistance(wrong, *best)))
             best = &name;
     }
-    return best ? std::optional(*best) : std::nullopt;
+    if (best) return *best;
+    // The beginning of one name alone: "wendland" for "wendland_c2".
+    const auto begins = [&](const std::string& name) {
+        return wrong.size() >= 3 && name.starts_with(wrong);
+    };
+    const auto begun = std::find_if(known.begin(), known.end(), begins);
+    if (begun == known.end() || std::find_if(begun + 1, known.end(), begins) != known.end())
+        return std::nullopt;
+    return *begun;
 }
 
 std::string didYouMean(std::string_view wrong, const std::vector<std::string>& known) {
