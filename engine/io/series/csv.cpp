@@ -84,15 +84,16 @@ void CsvSeries::append(std::span<const double> row) {
     file_->write(line_);
 }
 
-void CsvSeries::resume(const Clock& clock) {
-    if (!isThere(path_)) return;
+std::optional<std::int64_t> CsvSeries::resume(const Clock& clock) {
+    if (!isThere(path_)) return {};
+    std::int64_t rows = 0;
     LineReader reader(path_);
     std::string line;
     std::uint64_t keep = 0;
     if (reader.next(line)) {
         if (line != header_) {
             setAside(path_, clock.steps);
-            return;
+            return {};
         }
         keep = reader.offset();
         while (reader.next(line)) {
@@ -104,11 +105,13 @@ void CsvSeries::resume(const Clock& clock) {
                                 "\" is not a row that sphinx wrote");
             if (time > clock.time) break;
             keep = reader.offset();
+            ++rows;
         }
     }
     File::openUpdate(path_).truncate(keep);
     file_ = File::openAppend(path_);
     if (keep == 0) file_->write(header_ + "\n");
+    return rows;
 }
 
 }  // namespace sphinx::io

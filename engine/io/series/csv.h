@@ -6,6 +6,7 @@
 #include "io/file/file.h"
 #include "io/series/quantity.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -21,8 +22,11 @@ class CsvSeries {
 
     /// row[0] is the time. The first call creates the file; throws FileError if it exists.
     void append(std::span<const double> row);
-    /// Goes on with an existing file: drops rows later than clock.time and a row cut short.
-    void resume(const Clock& clock);
+    /// Goes on with an existing file: drops rows later than clock.time and a row cut short. Returns
+    /// the number of rows that stay; nothing where there is no such file, or one of other
+    /// quantities.
+    std::optional<std::int64_t> resume(const Clock& clock);
+    const Path& path() const { return path_; }
 
  private:
     Path path_;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/series/series.h"
 
+#include "core/errors.h"
+
+#include <fmt/format.h>
+
 namespace sphinx::io {
 
 SeriesOutput::SeriesOutput(SeriesParameters parameters, std::unique_ptr<SeriesSource> source)
@@ -27,10 +31,23 @@ void SeriesOutput::write(const Clock& clock) {
     source_->sample(clock, std::span(row_).subspan(1));
     if (csv_) csv_->append(row_);
     if (hdf5_) hdf5_->append(row_);
+    ++rows_;
+}
+
+void SeriesOutput::transfer(Archive& archive) {
+    source_->transfer(archive);
+    archive.value("rows", rows_);
 }
 
 void SeriesOutput::resume(const Clock& clock) {
-    if (csv_) csv_->resume(clock);
+    const std::optional<std::int64_t> kept = csv_ ? csv_->resume(clock) : std::nullopt;
+    if (kept && *kept < rows_)
+        throw FileError(fmt::format(
+            "{} has {} rows up to time {}, and the run had written {}: put the file back, or go on "
+            "in another folder by --restart and --output",
+            csv_->path().string(), *kept, clock.time, rows_));
+    // None where the series begins anew: in another folder, with other quantities.
+    rows_ = kept.value_or(0);
     if (hdf5_) hdf5_->resume(clock);
 }
 

@@ -39,15 +39,15 @@ struct SeriesParameters {
 };
 
 /// A time series, one row a write, as CSV and in results.h5. After a restart the rows later than
-/// the resumed time are dropped. If the quantities changed, the old series is kept beside the new
-/// one under a name with ".before_STEP".
+/// the resumed time are dropped; where some are missing before it, that is a FileError. If the
+/// quantities changed, the old series is kept beside the new one under a name with ".before_STEP".
 class SeriesOutput final : public Output {
  public:
     SeriesOutput(SeriesParameters parameters, std::unique_ptr<SeriesSource> source);
 
     std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
-    void transfer(Archive& archive) override { source_->transfer(archive); }
+    void transfer(Archive& archive) override;
     void resume(const Clock& clock) override;
 
  private:
@@ -56,6 +56,7 @@ class SeriesOutput final : public Output {
     std::optional<CsvSeries> csv_;
     std::optional<Hdf5Series> hdf5_;
     std::vector<double> row_;  // time first
+    std::int64_t rows_ = 0;    // written since the series began
 };
 
 }  // namespace sphinx::io

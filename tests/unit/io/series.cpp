@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/series/series.h"
 
+#include "../memory_archive.h"
 #include "core/errors.h"
 #include "core/types.h"
 #include "io/hdf5/reader.h"
@@ -94,6 +95,26 @@ TEST_CASE("a resumed series drops later rows and goes on") {
     const hdf5::Reader a(whole / "results.h5"), b(parts / "results.h5");
     for (const std::string name : {"time", "velocity", "count, \"all\""})
         CHECK(a.numbers("series/probe/" + name) == b.numbers("series/probe/" + name));
+}
+
+TEST_CASE("rows that are missing before the restart are told") {
+    TemporaryFolder folder;
+    Run first(folder);
+    first.write(0, 4);
+    MemoryArchive archive;
+    first.output.transfer(archive);
+    archive.is_loading = true;
+    const std::string whole = csv(folder);
+    const auto resume = [&](const std::string& text) {
+        File::create(folder / "probe.csv").write(text);
+        Run again(folder);
+        again.output.transfer(archive);
+        again.output.resume(clockOf(3));
+    };
+    CHECK_NOTHROW(resume(whole));
+    CHECK_THROWS_WITH(
+        resume(whole.substr(0, whole.rfind("0.2,"))),
+        Catch::Contains("probe.csv has 2 rows up to time 0.3") && Catch::Contains("had written 4"));
 }
 
 TEST_CASE("a series with other quantities is kept beside the new one") {
