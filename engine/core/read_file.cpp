@@ -23,8 +23,8 @@ std::string readFile(const std::filesystem::path& path, std::uint64_t limit, Fil
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) fail(path, std::strerror(ENOENT));
     if (error) fail(path, error.message());
+    if (!fs::exists(status)) fail(path, std::strerror(ENOENT));
     if (fs::is_directory(status)) fail(path, "it is a folder");
     // Of a device there is no end, and for what a pipe has to say nobody knows how long to wait.
     const bool pipe = fs::is_fifo(status) && kinds == FileKinds::pipe_too;
