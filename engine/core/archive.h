@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/errors.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -32,6 +34,14 @@ class Archive {
     /// missing.
     virtual void enter(std::string_view name) = 0;
     virtual void leave() = 0;
+
+    /// A value that is no number of things when it is negative: then a FileError when loading.
+    void count(std::string_view name, std::int64_t& v) {
+        value(name, v);
+        if (loading() && v < 0)
+            throw FileError("the saved state has " + std::to_string(v) + " " + std::string(name) +
+                            ", which nothing can have");
+    }
 };
 
 /// Keeps enter and leave paired.

@@ -22,7 +22,7 @@ struct Clock {
     void transfer(Archive& archive) {
         archive.value("time", time);
         archive.value("dt", dt);
-        archive.value("steps", steps);
+        archive.count("steps", steps);
     }
 };
 

@@ -27,6 +27,8 @@ class Output {
     virtual std::vector<OutputFile> files() const { return {}; }
     /// Writes the state at clock.time (clock.steps outermost steps are complete). Throws FileError.
     virtual void write(const Clock& clock) = 0;
+    /// Before a restart that counts on what is written: the disk has it.
+    virtual void sync() {}
     /// The layer after each of whose substeps sample() is called (time averages), with that layer's
     /// clock: its name, empty for the outermost, or nothing for an output that never samples. After
     /// an outermost step all sample before any writes.
@@ -35,9 +37,11 @@ class Output {
     /// State that a restart must carry (frames written so far, running means). A resumed run goes
     /// on in the same files, without writing a frame twice.
     virtual void transfer(Archive&) {}
-    /// Before the first write of a resumed run: drops from the files whatever was written after
-    /// the state that is being resumed (clock), so that nothing appears twice.
+    /// Before the first write of a run that goes on in its folder: drops from the files whatever
+    /// was written after the state that is being resumed (clock), so that nothing appears twice.
     virtual void resume(const Clock&) {}
+    /// Instead of it where the run goes on in another folder, in which it has written nothing yet.
+    virtual void leave() {}
     /// Called once after the last write.
     virtual void finish() {}
 };

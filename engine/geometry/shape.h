@@ -48,7 +48,7 @@ class Shape {
     virtual Box<Dim> bounds() const = 0;
     /// Nothing inside. A 3D difference that takes everything away is not noticed.
     virtual bool empty() const = 0;
-    /// Area in 2D (length squared); NaN in 3D, where no closed form is kept.
+    /// Area in 2D, volume in 3D (length^Dim); NaN for booleans in 3D, which have no closed form.
     virtual double measure() const { return nan_value; }
 
     /// inside[k] = contains(first, with its x replaced by rowAbscissa(first.x(), step, k)) for

@@ -26,6 +26,7 @@ class BoxSolid final : public Solid {
     Box<3> bounds() const override;
     ShapePointer<3> transformed(const Similarity<3>& map) const override;
     ShapePointer<3> grown(double by) const override;
+    double measure() const override { return local_.size().prod(); }
 
  private:
     Vec<3> toLocal(const Vec<3>& p) const { return axes_.transpose() * (p - origin_); }
@@ -44,6 +45,9 @@ class Ball final : public Solid {
     Box<3> bounds() const override;
     ShapePointer<3> transformed(const Similarity<3>& map) const override;
     ShapePointer<3> grown(double by) const override;
+    double measure() const override {
+        return 4.0 / 3.0 * std::numbers::pi * radius_ * radius_ * radius_;
+    }
 
  private:
     Vec<3> center_;
@@ -60,6 +64,9 @@ class Cylinder final : public Solid {
     Box<3> bounds() const override;
     ShapePointer<3> transformed(const Similarity<3>& map) const override;
     ShapePointer<3> grown(double by) const override;
+    double measure() const override {
+        return std::numbers::pi * radius_ * radius_ * (to_ - from_).norm();
+    }
 
  private:
     /// A point seen from the axis, and how far it lies beyond the shell and beyond the nearer end.

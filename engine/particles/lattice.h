@@ -11,10 +11,33 @@
 
 namespace sphinx::particles {
 
-/// Points of the square (cubic) lattice inside a shape, x fastest. Lattice lines run at
-/// origin + (k + 1/2) spacing, so a face at origin + k spacing lies half a spacing from the points.
+/// Square (cubic) lattice. Its points lie at origin + (k + 1/2) spacing, so a face at origin + k
+/// spacing lies half a spacing from them.
 template <int Dim>
-std::vector<Vec<Dim>> latticePoints(const geometry::Shape<Dim>& shape, double spacing,
-                                    const Vec<Dim>& origin);
+struct Lattice {
+    double spacing = 0;
+    Vec<Dim> origin = Vec<Dim>::Zero();
+};
+
+/// Points of the lattice inside a shape, x fastest. A point on the surface, to rounding, belongs to
+/// the shape where the shape goes on towards larger coordinates: of shapes that share a face or an
+/// edge, to one only.
+template <int Dim>
+std::vector<Vec<Dim>> latticePoints(const geometry::Shape<Dim>& shape, const Lattice<Dim>& lattice);
+
+/// Number of a lattice point along each axis.
+template <int Dim>
+using LatticeIndex = std::array<long, Dim>;
+
+/// Points of a lattice on the surface of a shape, to rounding.
+template <int Dim>
+struct SurfacePoints {
+    /// Those on faces normal to an axis, by axis: where the shape lies above, and where below.
+    std::array<std::vector<LatticeIndex<Dim>>, Dim> lower, upper;
+    std::size_t count = 0;  ///< those on oblique faces and on edges as well
+};
+
+template <int Dim>
+SurfacePoints<Dim> surfacePoints(const geometry::Shape<Dim>& shape, const Lattice<Dim>& lattice);
 
 }  // namespace sphinx::particles

@@ -45,6 +45,8 @@ WRONG = {
     "describe fluid.presure_relaxation":
         "error: there is nothing called 'fluid.presure_relaxation'; did you mean "
         "'fluid.pressure_relaxation'?",
+    "describe colours": "error: there is nothing called 'colours'; 'sphinx list' prints the names",
+    "describe viscosty": "error: there is nothing called 'viscosty'; did you mean 'viscosity'?",
     "schema CASE": "The following argument was not expected: CASE",
 }
 

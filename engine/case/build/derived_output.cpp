@@ -29,6 +29,8 @@ class DerivedOutput final : public Output {
     }
     void transfer(Archive& archive) override { output_->transfer(archive); }
     void resume(const Clock& clock) override { output_->resume(clock); }
+    void leave() override { output_->leave(); }
+    void sync() override { output_->sync(); }
     void finish() override { output_->finish(); }
 
  private:

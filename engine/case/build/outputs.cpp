@@ -5,6 +5,7 @@
 #include "case/build/derived_output.h"
 #include "case/build/loop_facts.h"
 #include "io/output/factory.h"
+#include "io/output/progress.h"
 #include "io/restart/output.h"
 
 #include <fmt/format.h>
@@ -73,12 +74,30 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
         entries_.push_back(
             {source.name, type, outputs_.back().get(), triggerOf(source.every), restart});
     }
-    const bool restarts = std::any_of(entries_.begin(), entries_.end(),
-                                      [](const loop::OutputEntry& entry) { return entry.restart; });
-    if (!files || restarts) return;
-    outputs_.push_back(makeRestart(tools, io::RestartSettings{}));
-    // A name that no output of a case can have.
-    entries_.push_back({"last state", "restart", outputs_.back().get(), std::nullopt, true});
+    addImplied(tools, files);
+}
+
+/// What a case need not ask for, under names that no output of a case can have.
+template <int Dim>
+void Outputs<Dim>::addImplied(const OutputTools<Dim>& tools, bool files) {
+    const auto has = [&](std::string_view type) {
+        return std::ranges::any_of(entries_, [&](const auto& entry) { return entry.type == type; });
+    };
+    const auto every = [](double wall_seconds) {
+        return loop::Trigger{loop::Trigger::Kind::wall_time, wall_seconds, {}};
+    };
+    if (!has("progress")) {
+        outputs_.push_back(std::make_unique<io::ProgressOutput>(
+            io::ProgressParameters{io::onTerminal(), tools.model.units.text(unit::time)},
+            tools.progress));
+        entries_.push_back({"progress of the run", "progress", outputs_.back().get(),
+                            every(io::onTerminal() ? 1 : 60)});
+    }
+    if (files && !has("restart")) {
+        outputs_.push_back(makeRestart(tools, io::RestartSettings{1, io::RestartEncoding::zlib}));
+        entries_.push_back(
+            {"last state", "restart", outputs_.back().get(), every(300), true, true});
+    }
 }
 
 template <int Dim>

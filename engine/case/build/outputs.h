@@ -40,10 +40,13 @@ class Outputs {
     Outputs(const OutputTools<Dim>& tools, bool files);
 
     void addTo(loop::Plan& plan) const;
-    /// In the order of the case; if it writes no restart, one more that keeps the last state.
+    /// In the order of the case; then, where it has none, one that tells of the progress and one
+    /// that keeps the last state.
     const std::vector<loop::OutputEntry>& entries() const { return entries_; }
 
  private:
+    void addImplied(const OutputTools<Dim>& tools, bool files);
+
     std::vector<std::unique_ptr<Output>> outputs_;
     std::vector<loop::OutputEntry> entries_;
 };

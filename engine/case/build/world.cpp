@@ -3,13 +3,14 @@
 #include "case/build/world.h"
 
 #include "case/build/initial_values.h"
+#include "case/build/lattices.h"
 #include "case/check/elastic.h"
 #include "case/check/particles.h"
 #include "case/check/walls.h"
 #include "case/check/world_rules.h"
 #include "materials/register.h"
-#include "particles/lattice.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -21,6 +22,13 @@ bodies::Domain<Dim> makeDomain(const model::Case& model) {
     bodies::Domain<Dim> domain;
     for (const model::Shape& shape : model.shapes)
         if (!shape.as<Dim>()->empty()) domain.bounds.include(shape.as<Dim>()->bounds());
+    // Room for what splashes over a rim. Along periodic axes the bounds are the period.
+    const double room = domain.bounds.size().maxCoeff();
+    for (int k = 0; k < Dim; ++k)
+        if (std::ranges::find(model.domain.periodic, k) == model.domain.periodic.end()) {
+            domain.bounds.lower[k] -= room;
+            domain.bounds.upper[k] += room;
+        }
     if (model.domain.lower) domain.bounds.lower = model.domain.lower->as<Dim>();
     if (model.domain.upper) domain.bounds.upper = model.domain.upper->as<Dim>();
     for (const int axis : model.domain.periodic)
@@ -46,15 +54,24 @@ decltype(bodies::Body<Dim>::role) makeRole(bodies::Role role,
     return bodies::ObserverRole{};
 }
 
-/// Lattice lines start at the origin that the body names, else at that of the coordinates; along a
-/// periodic axis at the lower bound, so that the lattice goes on across it.
+/// Cases of the first version of the language had the points of a lattice on both of two opposite
+/// faces, and all those on any surface.
 template <int Dim>
-Vec<Dim> latticeOrigin(const model::Body& body, const bodies::Domain<Dim>& domain) {
-    if (body.resolution.origin) return body.resolution.origin->as<Dim>();
-    Vec<Dim> origin = Vec<Dim>::Zero();
-    for (int k = 0; k < Dim; ++k)
-        if (domain.periodic[static_cast<std::size_t>(k)]) origin[k] = domain.bounds.lower[k];
-    return origin;
+void warnMoved(const model::Body& body, const PlacedLattice<Dim>& placed,
+               input::Diagnostics& diagnostics) {
+    const std::string since = "since version 2 of the language ";
+    const std::string means = "; 'sphinx: 2' in the case says that it means this";
+    if (placed.moved != std::array<bool, Dim>{})
+        diagnostics.warning(body.place, since +
+                                            "a lattice whose points would fall on opposite "
+                                            "faces of the body moves by half a spacing" +
+                                            means);
+    if (placed.on_surface > 0)
+        diagnostics.warning(body.place, since +
+                                            "a lattice point on the surface of a body is its "
+                                            "particle only where the body goes on towards "
+                                            "larger coordinates" +
+                                            means);
 }
 
 /// Particles of a lattice along periodic axes: a face shared by both ends belongs to one of them.
@@ -85,8 +102,8 @@ void checkPlaces(const input::Component& material, const std::vector<Vec<Dim>>& 
 
 template <int Dim>
 void makeParticles(const model::Case& model, const model::Body& source,
-                   const bodies::Domain<Dim>& domain, bodies::Body<Dim>& body,
-                   input::Diagnostics& diagnostics) {
+                   const bodies::Domain<Dim>& domain, const PlacedLattice<Dim>* placed,
+                   bodies::Body<Dim>& body, input::Diagnostics& diagnostics) {
     std::vector<Vec<Dim>> points;
     std::vector<double> volumes;
     if (source.role == bodies::Role::observer) {
@@ -95,9 +112,9 @@ void makeParticles(const model::Case& model, const model::Body& source,
         for (const input::Coordinates& p : source.particles->points) points.push_back(p.as<Dim>());
         volumes = source.particles->volumes;
     } else {
-        points =
-            particles::latticePoints<Dim>(*body.shape, body.spacing, latticeOrigin(source, domain));
+        points = particles::latticePoints<Dim>(*body.shape, placed->lattice);
         keepOnePeriod(points, domain);
+        if (model.version < 2) warnMoved(source, *placed, diagnostics);
     }
     if (volumes.empty()) volumes.assign(points.size(), std::pow(body.spacing, Dim));
 
@@ -128,6 +145,8 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
         materials[material.name] = material.declaration->builder<materials::MaterialBuilder>().make(
             material.parameters.get());
 
+    std::map<std::string, PlacedLattice<Dim>> lattices;
+    if (particles) lattices = placeLattices<Dim>(model, world->domain);
     for (const model::Body& source : model.bodies) {
         auto body = std::make_unique<bodies::Body<Dim>>();
         body->name = source.name;
@@ -140,7 +159,7 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
         for (const model::Part& part : source.parts)
             body->parts.push_back({part.name, {}, model.findShape(part.shape.text)->as<Dim>()});
         if (particles || source.role == bodies::Role::observer)
-            makeParticles(model, source, world->domain, *body, diagnostics);
+            makeParticles(model, source, world->domain, &lattices[source.name], *body, diagnostics);
         else
             bodies::addParticles(*body, {});
         world->bodies.push_back(std::move(body));

@@ -36,6 +36,8 @@ struct Meeting {
 /// Lattices side by side keep a whole spacing: of the larger one, what is too near.
 constexpr double too_near = 0.5 * (1 - rounding);
 constexpr double side_by_side = 1.2;
+/// Bodies that are farther from each other are meant to be apart.
+constexpr double widest_gap = 4.5;
 
 /// Particles nearer than so many spacings.
 template <int Dim>
@@ -159,6 +161,23 @@ void checkSight(const model::Case& model, const bodies::World<Dim>& world,
                           fluid.name, other.name, place));
 }
 
+/// A solid that a fluid sees and does not touch holds it only once the fluid has come up to it.
+template <int Dim>
+void checkGap(const model::Case& model, const bodies::World<Dim>& world,
+              const bodies::Body<Dim>& fluid, const bodies::Body<Dim>& solid,
+              input::Diagnostics& diagnostics) {
+    if (std::ranges::find(fluid.sees, &solid) == fluid.sees.end()) return;
+    const Meeting<Dim> meeting = meet(world, fluid, solid, false, widest_gap);
+    const double spacing = std::max(fluid.spacing, solid.spacing);
+    if (meeting.count == 0 || meeting.distance < side_by_side * spacing) return;
+    diagnostics.warning(
+        model.findBody(fluid.name)->place,
+        fmt::format("between {} and {} there is a gap of {:.2g} spacings at {}: particles side by "
+                    "side are one spacing apart",
+                    fluid.name, solid.name, meeting.distance / spacing - 1,
+                    world.placeText(fluid.particles.position()[meeting.a])));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -171,10 +190,11 @@ void checkOverlap(const model::Case& model, const bodies::World<Dim>& world,
             if (a.isObserver() || b.isObserver()) continue;
             if (a.size() == 0 || b.size() == 0) continue;
             checkPair<Dim>(model, world, a, b, diagnostics);
-            if (a.isFluid())
-                checkSight<Dim>(model, world, a, b, diagnostics);
-            else if (b.isFluid())
-                checkSight<Dim>(model, world, b, a, diagnostics);
+            const auto& fluid = a.isFluid() ? a : b;
+            const auto& other = a.isFluid() ? b : a;
+            if (!fluid.isFluid()) continue;
+            checkSight<Dim>(model, world, fluid, other, diagnostics);
+            if (other.isSolid()) checkGap<Dim>(model, world, fluid, other, diagnostics);
         }
 }
 

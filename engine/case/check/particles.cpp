@@ -3,6 +3,7 @@
 #include "case/check/particles.h"
 
 #include "case/check/overlap.h"
+#include "core/sum_all.h"
 #include "particles/lattice.h"
 
 #include <fmt/format.h>
@@ -20,6 +21,8 @@ constexpr double most_lattice_points = 1e10;
 constexpr double bytes_of_particle = 100;
 /// Lattices are counted by a sample where they have more points than that.
 constexpr double sampled_points = 1e6;
+/// Of the volume of a shape: what that of its particles may differ without a word.
+constexpr double most_volume_error = 0.01;
 
 /// Of the machine, or of the group of processes (cgroup) that the program belongs to.
 double physicalMemory() {
@@ -38,7 +41,8 @@ template <int Dim>
 double countAbout(const geometry::Shape<Dim>& shape, double spacing) {
     const double cells = (shape.bounds().size() / spacing).prod();
     const double ratio = std::max(1.0, std::pow(cells / sampled_points, 1.0 / Dim));
-    const auto sample = particles::latticePoints<Dim>(shape, ratio * spacing, shape.bounds().lower);
+    const auto sample =
+        particles::latticePoints<Dim>(shape, {ratio * spacing, shape.bounds().lower});
     return static_cast<double>(sample.size()) * std::pow(ratio, Dim);
 }
 
@@ -146,6 +150,28 @@ void checkInitialValues(const model::Body& source, const bodies::Body<Dim>& body
     }
 }
 
+/// Lattices of coarse spacing have another volume than their shape, and so another mass.
+template <int Dim>
+void checkMass(const model::Body& source, const bodies::Body<Dim>& body,
+               const bodies::World<Dim>& world, input::Diagnostics& diagnostics) {
+    if (!body.shape || source.particles || body.isWall()) return;
+    const double shape = body.shape->measure();
+    const auto& volume = body.particles.scalar(fields::volume);
+    const double filled = sumAll(body.size(), [&](std::size_t i) { return volume[i]; });
+    if (!(std::abs(filled - shape) > most_volume_error * shape)) return;
+    std::string extents;
+    for (int k = 0; k < Dim; ++k)
+        extents += fmt::format("{}{:.4g}", k == 0 ? "" : " x ",
+                               body.shape->bounds().size()[k] / body.spacing);
+    diagnostics.warning(
+        source.place,
+        fmt::format("the particles of {} have {:+.2g} % of the volume of its shape, {} for {}: the "
+                    "shape measures {} spacings. A spacing that divides its extents, or a finer "
+                    "one, mends it",
+                    body.name, 100 * (filled / shape - 1), world.quantityText(filled, unit::volume),
+                    world.quantityText(shape, unit::volume), extents));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -172,6 +198,9 @@ void checkParticles(const model::Case& model, const bodies::World<Dim>& world,
         checkInitialValues<Dim>(source, body, world, diagnostics);
     }
     checkOverlap<Dim>(model, world, diagnostics);
+    if (diagnostics.hasErrors()) return;  // which may be the reason
+    for (const model::Body& source : model.bodies)
+        checkMass<Dim>(source, *world.find(source.name), world, diagnostics);
 }
 
 template <int Dim>

@@ -74,9 +74,10 @@ void declareDomain(Registry& registry) {
     auto& d = registry.declare<P>(Kind::block, "domain");
     d.summary("Where particles may be");
     d.optional("lower", &P::lower, coordinates(unit::length),
-               "corner of the smallest coordinates; default: that of all shapes");
+               "corner of the smallest coordinates; default: that of all shapes, and below it "
+               "their largest extent as room for splashes where no axis is periodic");
     d.optional("upper", &P::upper, coordinates(unit::length),
-               "corner of the largest coordinates; default: that of all shapes");
+               "corner of the largest coordinates; default: likewise");
     d.optional("periodic", &P::periodic, axes(), "axes along which the domain repeats");
     d.optional("lost_particles", &P::lost,
                choice<bodies::LostParticles>(
@@ -108,8 +109,9 @@ void declareBody(Registry& registry) {
                    number(unit::none).atLeast(0.8).atMost(4), "h / dp; default: that of the case");
         d.optional(
             "origin", &P::origin, coordinates(unit::length),
-            "a point that faces of lattice cells meet; default: the origin of coordinates, along a "
-            "periodic axis the lower bound of the domain");
+            "a point that faces of lattice cells meet; default: the origin of coordinates (half a "
+            "spacing from it where points would fall on opposite faces), along a periodic axis the "
+            "lower bound of the domain");
         d.check("spacing", [](const P& p) -> std::string {
             return p.spacing && p.level ? "give level or spacing, not both" : "";
         });
@@ -168,7 +170,8 @@ void declareBody(Registry& registry) {
     d.optional("follows", &P::follows,
                choice<model::Follows>({{"space", model::Follows::space, "stays where it is"},
                                        {"material", model::Follows::material,
-                                        "moves with the particles nearest at its first row"}}),
+                                        "moves with the particles nearest at its first row: in a "
+                                        "fluid it drifts with the flow"}}),
                "observer: whether it moves");
 }
 

@@ -72,6 +72,7 @@ model::Case interpret(const Node& root, const Registry& registry, Diagnostics& d
     diagnostics.throwIfErrors();
     warnUnused(block, reader);
     warnChanges(model, block.version, languageChanges(), diagnostics);
+    model.version = block.version;
     model.state_version = stateVersion(model, languageChanges());
     model.warnings = diagnostics.text();
     for (const std::string& path : reader.files) model.files[path] = contentText(path);

@@ -171,6 +171,7 @@ struct Case {
     Loop loop;
     std::vector<Output> outputs;
 
+    int version = 1;        ///< of the language in which it is written
     int state_version = 1;  ///< of the language, since which the case means the same state
     input::Node resolved;   ///< every value with its origin: what `show` prints
     std::string warnings;   ///< ready to print; empty when there are none

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/run/check.h"
 
+#include "case/build/lattices.h"
 #include "case/build/loop.h"
 #include "case/build/loop_facts.h"
 #include "case/build/outputs.h"
@@ -95,6 +96,22 @@ std::string massText(const bodies::World<Dim>& world, const bodies::Body<Dim>& b
     return text;
 }
 
+/// ", lattice moved by half a spacing in x, 8 of its points lie on the surface ...".
+template <int Dim>
+std::string latticeText(const build::PlacedLattice<Dim>& placed) {
+    std::string axes;
+    for (int k = 0; k < Dim; ++k)
+        if (placed.moved[k]) axes += fmt::format("{}{}", axes.empty() ? "" : ", ", "xyz"[k]);
+    std::string text;
+    if (!axes.empty()) text += fmt::format(", lattice moved by half a spacing in {}", axes);
+    if (placed.on_surface > 0)
+        text += fmt::format(
+            ", {} lattice point{} on its surface (kept where the body goes on towards larger "
+            "coordinates: not symmetric)",
+            placed.on_surface, placed.on_surface == 1 ? "" : "s");
+    return text;
+}
+
 /// Writes of the whole run, with those at the start and at the end.
 std::optional<double> writes(const model::Case& model, const input::Every& every) {
     const double span = model.loop.end_time - model.loop.start_time;
@@ -159,11 +176,17 @@ CheckReport check(const model::Case& model) {
         {model, *world, relations, {}, {}, {}, methods.all(), header, {}, {}}, true);
 
     std::string out = "bodies\n";
-    for (const auto& body : world->bodies)
-        out += fmt::format("  {}: {} particles, spacing {}, h {}{}\n", body->name, body->size(),
+    const auto lattices = build::placeLattices<Dim>(model, world->domain);
+    for (const auto& body : world->bodies) {
+        const auto lattice = lattices.find(body->name);
+        out += fmt::format("  {}: {} particles, spacing {}, h {}{}{}\n", body->name, body->size(),
                            world->quantityText(body->spacing, unit::length),
                            world->quantityText(body->kernel.smoothingLength(), unit::length),
-                           massText(*world, *body));
+                           massText(*world, *body),
+                           lattice == lattices.end() ? "" : latticeText(lattice->second));
+    }
+    out += fmt::format("domain: {} to {}\n", world->placeText(world->domain.bounds.lower),
+                       world->placeText(world->domain.bounds.upper));
     out += fmt::format("memory: about {}\n", sizeText(memory(*world)));
     out += "loop\n";
     for (const loop::Call& line : placed.facts.plan.start)

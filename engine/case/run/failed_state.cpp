@@ -7,7 +7,7 @@ namespace sphinx::run {
 template <int Dim>
 void writeFailedState(const bodies::World<Dim>& world, const Clock& clock,
                       const io::VtuParameters& parameters) {
-    io::makeFolder(parameters.folder);
+    io::makeSubfolder(parameters.folder);
     std::vector<io::BodyFrames<Dim>> frames;
     for (const auto& body : world.bodies) {
         if (body->isObserver()) continue;

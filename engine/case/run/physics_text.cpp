@@ -54,6 +54,11 @@ std::string physicsText(const model::Case& model) {
     // A restart outlives versions of the language that leave the state as it is.
     resolved.set("sphinx", input::Node::integer(model.state_version));
     if (input::Node* loop = resolved.find("loop")) drop(*loop, "end_time");
+    // What happens to a particle that leaves changes nothing as long as none does.
+    if (input::Node* domain = resolved.find("domain")) {
+        drop(*domain, "lost_particles");
+        if (domain->entries.empty()) drop(resolved, "domain");
+    }
     dropObservers(resolved, model);
     replaceFiles(resolved, model.files);
     return input::writeYaml(resolved, false);

@@ -48,7 +48,7 @@ void requireSamePhysics(const io::Path& file, const io::RestartHeader& theirs,
     if (theirs.digest == ours.digest && theirs.dimension == ours.dimension) return;
     throw CaseError(
         fmt::format("error: the case is not the one that {} was written by; only title, "
-                    "observers, outputs and loop.end_time may change:\n{}",
+                    "observers, outputs, loop.end_time and domain.lost_particles may change:\n{}",
                     file.string(), difference(theirs.case_text, ours.case_text, 20)));
 }
 

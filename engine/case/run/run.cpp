@@ -196,14 +196,23 @@ int runIn(const model::Case& model, const RunOptions& options) {
                                                    : io::ExistingResults::refuse);
         io::writeFileAtomically(path / io::resolved_case_name, showCase(model));
         log::openFile(path / "log.txt");
+        simulation.watchOutputs([&folder] { folder->requireInPlace(); });
     }
     for (const auto& [name, value] : provenance.entries) log::fileOnly(name + ": " + value);
     log::info(fmt::format("{}{}", model.title.empty() ? caseName(model) : model.title,
                           simulation.resuming() ? ", resumed" : ""));
     for (const std::string_view text : {std::string_view(model.warnings), simulation.warnings()})
         if (!text.empty()) log::message(text.substr(0, text.size() - 1));
+    const auto toTheEnd = [&] {
+        try {
+            return run.toTheEnd();
+        } catch (const FileError&) {
+            if (folder) folder->requireInPlace();  // else that is the reason
+            throw;
+        }
+    };
     try {
-        const int code = run.toTheEnd();
+        const int code = toTheEnd();
         log::closeFile();
         return code;
     } catch (const std::exception& e) {

@@ -53,7 +53,10 @@ void Simulation<Dim>::prepare() {
 
 template <int Dim>
 void Simulation<Dim>::step() {
-    runner_->step([this](const Clock& clock) { health_->check(clock); });
+    runner_->step([this](const Clock& clock) {
+        health_->check(clock);
+        before_outputs_();
+    });
 }
 
 template <int Dim>
@@ -114,7 +117,7 @@ void Simulation<Dim>::restore() {
             source_.file.string(), theirs.instruction_set, ours.instruction_set));
     io::readRestart<Dim>(
         source_.file, [this](Archive& archive) { transfer(archive); }, restartBodies());
-    if (!options_.resume) runner_->leaveRestarts();
+    if (!options_.resume) runner_->leaveFolder();
     std::vector<bodies::Body<Dim>*> bodies;
     for (auto& body : world_->bodies) {
         body->findParts();

@@ -45,6 +45,8 @@ class Simulation {
     /// Has it called before each substep; what it throws ends a step in its midst, after which only
     /// restarts are left.
     void watchSubsteps(const std::function<void()>& watch) { runner_->watchSubsteps(watch); }
+    /// Has it called before outputs write; what it throws ends the run.
+    void watchOutputs(std::function<void()> watch) { before_outputs_ = std::move(watch); }
     /// The last outputs; of a run that is not finished its restarts only.
     void end() { runner_->end(); }
 
@@ -78,6 +80,7 @@ class Simulation {
     std::optional<build::Outputs<Dim>> outputs_;
     std::unique_ptr<loop::Runner> runner_;
     std::optional<Health<Dim>> health_;
+    std::function<void()> before_outputs_ = [] {};
 };
 
 }  // namespace sphinx::run

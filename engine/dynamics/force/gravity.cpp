@@ -4,6 +4,10 @@
 
 #include "core/parallel.h"
 
+#include <fmt/format.h>
+#include <cmath>
+#include <limits>
+
 namespace sphinx::dynamics::force {
 
 template <int Dim>
@@ -16,6 +20,40 @@ template <int Dim>
 void Gravity<Dim>::run(const Clock&) {
     parallelFor(body_->size(), [&](std::size_t i) { external_[i] += acceleration_; });
 }
+
+namespace {
+
+/// Of its density: what the weight of a fluid may compress it by without a word. Its equation of
+/// state is meant for a hundredth.
+constexpr double most_compression = 0.05;
+
+/// A fluid at rest is compressed by about g H / c^2.
+template <int Dim>
+void warnSoft(const input::Component& method, BuiltCase<Dim>& built) {
+    const auto& p = method.as<GravityParameters>();
+    const Body<Dim>& body = *built.world.find(p.body.text);
+    if (!body.isFluid() || body.size() == 0) return;
+    const Vec<Dim> g = p.acceleration.as<Dim>();
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    const auto& position = body.particles.position();
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const Vec<Dim>& x = position[i];
+        lowest = std::min(lowest, g.dot(x));
+        highest = std::max(highest, g.dot(x));
+    }
+    const double c = body.fluid().material->soundSpeed();
+    const double compression = (highest - lowest) / (c * c);
+    if (!(compression > most_compression)) return;
+    const double wanted = std::sqrt((highest - lowest) / 0.01);
+    built.diagnostics.warning(
+        method.place,
+        fmt::format("{} is soft: its weight compresses it by {:.2g} %, g H/c^2 with its sound "
+                    "speed of {}; about {:.2g}{} keeps that at 1 %",
+                    body.name, 100 * compression, built.world.quantityText(c, unit::velocity),
+                    wanted, built.world.units.suffix(unit::velocity)));
+}
+
+}  // namespace
 
 void declareGravity(input::Registry& registry) {
     using P = GravityParameters;
@@ -30,6 +68,7 @@ void declareGravity(input::Registry& registry) {
                "fluid or elastic body");
     d.required("acceleration", &P::acceleration, input::coordinates(unit::acceleration),
                "acceleration of free fall, a vector");
+    d.worldRule([](const input::Component& method, auto& built) { warnSoft(method, built); });
     d.action()
         .accumulates("body", {"external_acceleration"})
         .throughout(

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
 
 namespace sphinx::input {
 namespace {
@@ -107,18 +108,64 @@ std::string describeOne(const Declaration& d) {
     return out;
 }
 
-/// A key of the case that no declaration has the name of; empty if it has none, either.
-std::string describeKey(const Registry& registry, const std::string& name,
-                        std::vector<std::string>& known) {
-    const Declaration* top = registry.find(Kind::block, "case");
-    if (!top) return "";
-    for (const Parameter& p : top->parameters()) {
-        if (p.name == name)
-            return fmt::format("{} (key of a case)\n  {}\n  {}\n", name, p.doc,
-                               wrapped(defaultText(*top, p) + "; " + p.type->text(), 2));
-        known.push_back(p.name);
-    }
-    return "";
+/// Calls use(declaration, parameter) for every key of every declaration.
+template <class Use>
+void forEachKey(const Registry& registry, Use use) {
+    for (const Kind kind : all_kinds)
+        for (const std::string& name : registry.names(kind)) {
+            const Declaration& declaration = *registry.find(kind, name);
+            for (const Parameter& p : declaration.parameters())
+                if (!p.name.empty()) use(declaration, p);
+        }
+}
+
+/// Where a key of that name, or OWNER.KEY, may stand; keys that mean the same together. Empty if
+/// there is none.
+std::string describeKey(const Registry& registry, const std::string& name) {
+    std::vector<std::pair<std::string, std::string>> meanings;  // text, owners
+    forEachKey(registry, [&](const Declaration& d, const Parameter& p) {
+        if (p.name != name && d.name() + "." + p.name != name) return;
+        const std::string text = fmt::format("  {}\n  {}\n", wrapped(p.doc, 2),
+                                             wrapped(defaultText(d, p) + "; " + p.type->text(), 2));
+        const auto same =
+            std::ranges::find(meanings, text, &std::pair<std::string, std::string>::first);
+        if (same == meanings.end())
+            meanings.emplace_back(text, d.name());
+        else
+            same->second += ", " + d.name();
+    });
+    std::string out;
+    for (const auto& [text, owners] : meanings)
+        out += (out.empty() ? "" : "\n") +
+               wrapped(fmt::format("{} (key of {})", name.substr(name.rfind('.') + 1), owners), 4) +
+               "\n" + text;
+    return out;
+}
+
+bool hasWord(const std::string& text, const std::string& word) {
+    const auto ends = [&](std::size_t k) {
+        return k >= text.size() ||
+               !(std::isalnum(static_cast<unsigned char>(text[k])) != 0 || text[k] == '_');
+    };
+    for (std::size_t k = 0; (k = text.find(word, k)) != std::string::npos; ++k)
+        if ((k == 0 || ends(k - 1)) && ends(k + word.size())) return true;
+    return false;
+}
+
+/// What speaks of a word that is no name; empty if nothing does.
+std::string mentions(const Registry& registry, const std::string& word) {
+    std::string out;
+    for (const Kind kind : all_kinds)
+        for (const std::string& name : registry.names(kind))
+            if (const std::string& summary = registry.find(kind, name)->summary();
+                hasWord(summary, word))
+                out += fmt::format("  {}: {}\n", name, wrapped(summary, 4));
+    forEachKey(registry, [&](const Declaration& d, const Parameter& p) {
+        if (hasWord(p.doc, word) || hasWord(p.type->text(), word))
+            out += fmt::format("  {}.{}: {}\n", d.name(), p.name,
+                               wrapped(p.doc + "; " + p.type->text(), 4));
+    });
+    return out.empty() ? "" : fmt::format("nothing is called '{}'; of it speak\n", word) + out;
 }
 
 std::string escaped(std::string text) {
@@ -196,9 +243,16 @@ std::string describeText(const Registry& registry, const std::string& name) {
             out += (out.empty() ? "" : "\n") + describeOne(*found);
         for (std::string& other : registry.names(kind)) known.push_back(std::move(other));
     }
-    if (out.empty()) out = describeKey(registry, name, known);
-    if (out.empty())
-        throw CaseError("error: there is nothing called '" + name + "'" + didYouMean(name, known));
+    if (out.empty()) out = describeKey(registry, name);
+    if (out.empty()) out = mentions(registry, name);
+    if (out.empty()) {
+        forEachKey(registry,
+                   [&](const Declaration&, const Parameter& p) { known.push_back(p.name); });
+        const auto near = nearest(name, known);
+        throw CaseError(fmt::format(
+            "error: there is nothing called '{}'; {}", name,
+            near ? fmt::format("did you mean '{}'?", *near) : "'sphinx list' prints the names"));
+    }
     return out;
 }
 

@@ -12,7 +12,8 @@ namespace sphinx::input {
 /// Throws CaseError for a wrong kind.
 std::string listText(const Registry& registry, const std::string& kind);
 
-/// Everything a declaration says, for the terminal. Throws CaseError for a wrong name.
+/// Everything a declaration says, for the terminal; else the keys of that name and where they
+/// stand; else what speaks of that word. Throws CaseError where nothing does.
 std::string describeText(const Registry& registry, const std::string& name);
 
 /// The reference page of the language: every declaration, units and expressions, as Markdown.

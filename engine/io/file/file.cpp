@@ -58,7 +58,15 @@ File::~File() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+void File::requireName() const {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 0)
+        throw FileError("cannot go on with " + path_.string() +
+                        ": it was removed or replaced while it was being written");
+}
+
 void File::write(std::string_view bytes) {
+    requireName();
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
@@ -68,6 +76,7 @@ void File::write(std::string_view bytes) {
 }
 
 void File::writeAt(std::uint64_t offset, std::string_view bytes) {
+    requireName();
     while (!bytes.empty()) {
         const ssize_t written =
             ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
@@ -155,6 +164,12 @@ void makeFolder(const Path& folder) {
     std::filesystem::create_directories(folder, error);
     if (error) fail("create folder", folder, error.value());
     if (!isFolder(folder)) fail("create folder", folder, ENOTDIR);
+}
+
+void makeSubfolder(const Path& folder) {
+    std::error_code error;
+    std::filesystem::create_directory(folder, error);
+    if (error) fail("create folder", folder, error.value());
 }
 
 bool isThere(const Path& path) {

@@ -14,7 +14,7 @@ using Path = std::filesystem::path;
 
 /// An open file. Every failure is a FileError that names the file and the system's reason, like
 /// "cannot write out/x.vtu: No space left on device". Nothing is buffered: what write() has
-/// taken survives the death of the process.
+/// taken survives the death of the process. A file that someone removes meanwhile takes no more.
 class File {
  public:
     static File create(const Path& path);      ///< new or emptied, for writing
@@ -41,6 +41,7 @@ class File {
 
  private:
     File(const Path& path, int flags, const char* purpose);
+    void requireName() const;
 
     Path path_;
     int descriptor_ = -1;
@@ -74,6 +75,8 @@ void writeFileAtomically(const Path& path, std::string_view content);
 /// Makes renames and removals inside the folder durable.
 void syncFolder(const Path& folder);
 void makeFolder(const Path& folder);
+/// Not those above it: a results folder that is gone does not come back.
+void makeSubfolder(const Path& folder);
 /// Whether something has that name; a FileError where that cannot be told.
 bool isThere(const Path& path);
 bool isFolder(const Path& path);  ///< likewise

@@ -30,7 +30,7 @@ class Hdf5Output final : public Output {
 
     std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
-    void transfer(Archive& archive) override { archive.value("frames", frames_); }
+    void transfer(Archive& archive) override { archive.count("frames", frames_); }
     void resume(const Clock& clock) override;
 
  private:

@@ -145,7 +145,7 @@ void VtkHdfOutput<Dim>::write(const Clock& clock) {
 
 template <int Dim>
 void VtkHdfOutput<Dim>::transfer(Archive& archive) {
-    archive.value("frames", frames_);
+    archive.count("frames", frames_);
     const Section bodies(archive, "bodies");
     for (auto& series : series_) {
         if (!archive.has(series->name())) continue;  // a resumed run may write other bodies

@@ -246,7 +246,7 @@ void VtuOutput<Dim>::writeFrame(Series& series, const particles::IdOrder& order,
 
 template <int Dim>
 void VtuOutput<Dim>::transfer(Archive& archive) {
-    archive.value("frames", frames_);
+    archive.count("frames", frames_);
     const Section bodies(archive, "bodies");
     for (auto& series : series_) {
         if (!archive.has(series->body->name)) continue;  // a resumed run may write other bodies

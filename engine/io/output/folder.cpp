@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -66,6 +67,16 @@ OutputFolder::OutputFolder(const Path& path, ExistingResults existing) : path_(p
         ::close(descriptor_);
         throw;
     }
+}
+
+void OutputFolder::requireInPlace() const {
+    struct stat locked {
+    }, named{};
+    if (::fstat(descriptor_, &locked) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+        locked.st_dev == named.st_dev && locked.st_ino == named.st_ino)
+        return;
+    throw FileError("the folder " + path_.string() +
+                    " was removed or renamed while the run wrote to it");
 }
 
 OutputFolder::~OutputFolder() { ::close(descriptor_); }

@@ -26,6 +26,9 @@ class OutputFolder {
     OutputFolder& operator=(const OutputFolder&) = delete;
 
     const Path& path() const { return path_; }
+    /// Throws FileError where the folder is gone or its path leads to another one by now, in which
+    /// another run may write.
+    void requireInPlace() const;
 
  private:
     Path path_;

@@ -20,7 +20,7 @@ std::vector<OutputFile> RestartOutput<Dim>::files() const {
 
 template <int Dim>
 void RestartOutput<Dim>::write(const Clock& clock) {
-    makeFolder(parameters_.folder);
+    makeSubfolder(parameters_.folder);
     RestartHeader& header = parameters_.header;
     header.time = clock.time;
     header.steps = clock.steps;

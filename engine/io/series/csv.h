@@ -22,6 +22,10 @@ class CsvSeries {
 
     /// row[0] is the time. The first call creates the file; throws FileError if it exists.
     void append(std::span<const double> row);
+    /// The disk has all rows when it returns.
+    void sync() {
+        if (file_) file_->sync();
+    }
     /// Goes on with an existing file: drops rows later than clock.time and a row cut short. Returns
     /// the number of rows that stay; nothing where there is no such file, or one of other
     /// quantities.

@@ -51,7 +51,7 @@ class RowsOutput::Rows final : public SeriesSource {
         archive.value("form", form);
         if (form != own) return;
         source_->transfer(archive);
-        archive.value("samples", samples_);
+        archive.count("samples", samples_);
         if (samples_ == 0) return;
         const std::size_t width = values_.size();
         archive.value("sum", sum_);

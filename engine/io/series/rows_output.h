@@ -52,10 +52,12 @@ class RowsOutput final : public Output {
 
     std::vector<OutputFile> files() const override { return series_.files(); }
     void write(const Clock& clock) override;
+    void sync() override { series_.sync(); }
     std::optional<std::string> sampledLayer() const override { return layer_; }
     void sample(const Clock& clock) override;
     void transfer(Archive& archive) override;
     void resume(const Clock& clock) override;
+    void leave() override { series_.leave(); }
 
  private:
     class Rows;

@@ -36,17 +36,26 @@ void SeriesOutput::write(const Clock& clock) {
 
 void SeriesOutput::transfer(Archive& archive) {
     source_->transfer(archive);
-    archive.value("rows", rows_);
+    archive.count("rows", rows_);
+}
+
+void SeriesOutput::sync() {
+    if (csv_) csv_->sync();
 }
 
 void SeriesOutput::resume(const Clock& clock) {
+    if (csv_ && rows_ > 0 && !isThere(csv_->path()))
+        throw FileError(fmt::format(
+            "{} is gone, of which the run had written {} rows: put the file back, or go on in "
+            "another folder by --restart and --output",
+            csv_->path().string(), rows_));
     const std::optional<std::int64_t> kept = csv_ ? csv_->resume(clock) : std::nullopt;
     if (kept && *kept < rows_)
         throw FileError(fmt::format(
             "{} has {} rows up to time {}, and the run had written {}: put the file back, or go on "
             "in another folder by --restart and --output",
             csv_->path().string(), *kept, clock.time, rows_));
-    // None where the series begins anew: in another folder, with other quantities.
+    // None where the series begins anew, with other quantities.
     rows_ = kept.value_or(0);
     if (hdf5_) hdf5_->resume(clock);
 }

@@ -47,8 +47,10 @@ class SeriesOutput final : public Output {
 
     std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
+    void sync() override;
     void transfer(Archive& archive) override;
     void resume(const Clock& clock) override;
+    void leave() override { rows_ = 0; }
 
  private:
     std::string name_;

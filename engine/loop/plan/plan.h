@@ -66,9 +66,10 @@ struct OutputEntry {
     std::string type;  ///< registry name; a saved state is only given back to the same type
     Output* output = nullptr;
     std::optional<Trigger> every;  ///< without: only at the start and at the end
-    /// Restarts are written after all other outputs of the same step, not at the start, and also
-    /// when the run is stopped early.
+    /// Restarts are written after all other outputs of the same step, at the start only if they say
+    /// so, and also when the run is stopped early.
     bool restart = false;
+    bool restart_at_start = false;
 };
 
 /// A whole run: described first, so that its data flow can be checked; then bound to methods and

@@ -46,7 +46,8 @@ void OutputSchedule::startTrigger(EntryRun& run) const {
 
 void OutputSchedule::writeFirst() {
     std::vector<bool> due;
-    for (const EntryRun& run : entries_) due.push_back(!run.entry.restart);
+    for (const EntryRun& run : entries_)
+        due.push_back(!run.entry.restart || run.entry.restart_at_start);
     write(due);
 }
 
@@ -82,9 +83,17 @@ void OutputSchedule::writeRestarts() {
     write(due);
 }
 
+bool OutputSchedule::restartDue(const std::vector<bool>& due) const {
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+        if (due[k] && entries_[k].entry.restart) return true;
+    return false;
+}
+
 void OutputSchedule::write(const std::vector<bool>& due) {
     const Clock& clock = outermost_.clock();
     for (const bool restart : {false, true}) {
+        if (restart && restartDue(due))
+            for (EntryRun& run : entries_) run.entry.output->sync();
         for (std::size_t k = 0; k < entries_.size(); ++k) {
             EntryRun& run = entries_[k];
             if (!due[k] || run.entry.restart != restart || run.last_step == clock.steps) continue;
@@ -100,9 +109,11 @@ void OutputSchedule::resume() {
     for (EntryRun& run : entries_) run.entry.output->resume(outermost_.clock());
 }
 
-void OutputSchedule::leaveRestarts() {
-    for (EntryRun& run : entries_)
+void OutputSchedule::leaveFolder() {
+    for (EntryRun& run : entries_) {
         if (run.entry.restart) run.last_step = -1;
+        run.entry.output->leave();
+    }
 }
 
 void OutputSchedule::finish() {

@@ -39,8 +39,8 @@ class OutputSchedule {
 
     /// Tells every output that the run goes on from the present clock.
     void resume();
-    /// After transfer(): the restarts lie in another folder, so this state is not written yet.
-    void leaveRestarts();
+    /// After transfer(): the run goes on in another folder, in which nothing is written yet.
+    void leaveFolder();
     void finish();
 
     const std::vector<EntryRun>& entries() const { return entries_; }
@@ -57,6 +57,7 @@ class OutputSchedule {
     void connectSampling(LayerRun& outermost);
     static void sample(EntryRun& run, const Clock& clock);
     /// Writes the entries of `due` that have not written at this step, restarts last.
+    bool restartDue(const std::vector<bool>& due) const;
     void write(const std::vector<bool>& due);
 
     const LayerRun& outermost_;

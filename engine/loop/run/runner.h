@@ -39,7 +39,7 @@ class Runner {
     void transfer(Archive& archive);
     /// After transfer(), for a run that goes on in another folder: the state is to be kept there as
     /// well, also when no step is made.
-    void leaveRestarts() { outputs_.leaveRestarts(); }
+    void leaveFolder() { outputs_.leaveFolder(); }
     bool resumed() const { return resumed_; }
     /// LayerRun::watchSubsteps of the outermost layer.
     void watchSubsteps(const std::function<void()>& watch) { outermost_.watchSubsteps(watch); }

@@ -32,6 +32,8 @@ TEST_CASE("Powers of ten scale exactly") {
     CHECK(convert(si, 2, "cm") == 0.02);
     CHECK(convert(si, 30, "min") == 1800);
     CHECK(convert(si, 7.8, "MPa") == 7.8e6);
+    CHECK(convert(si, 7.8, "mPa") == 7.8e-3);
+    CHECK(convert(si, 1.002, "mPa*s") == 1.002e-3);
     const UnitSystem small{false, "mm", "ms", "mg"};
     CHECK(convert(small, 7.8, "MPa") == 7.8e3);  // 1 mg/(mm ms^2) is 1 kPa
     CHECK(convert(small, 9.8, "m/s^2") == 9.8e-3);

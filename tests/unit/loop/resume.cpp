@@ -206,7 +206,7 @@ TEST_CASE("a finished run that is resumed unchanged writes nothing") {
     Run elsewhere;
     elsewhere.build(1);
     elsewhere.load(first.checkpoints.back());
-    elsewhere.runner->leaveRestarts();
+    elsewhere.runner->leaveFolder();
     elsewhere.go();
     const Journal written = without(elsewhere.frames, "resume");
     REQUIRE(written.size() == 1);

@@ -136,8 +136,8 @@ struct Bodies {
 
     /// Points of the lattice with lines half a spacing from the origin.
     Points box(const Vec<Dim>& lower, const Vec<Dim>& upper) const {
-        return particles::latticePoints<Dim>(*geometry::makeBox<Dim>(lower, upper), spacing,
-                                             Vec<Dim>::Zero());
+        return particles::latticePoints<Dim>(*geometry::makeBox<Dim>(lower, upper),
+                                             {spacing, Vec<Dim>::Zero()});
     }
     /// So many of them from the origin, displaced by up to `jitter` spacings.
     Points lattice(const std::array<int, Dim>& n, double jitter = 0) {
