@@ -7,6 +7,9 @@
 
 namespace sphinx {
 
+/// What some editors put at the start of a file in UTF-8; it is no part of the text.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// Length of the UTF-8 sequence at the start of text (not empty) that stands for a character of XML
 /// 1.0, else 0: no control characters but tab, line feed and carriage return, no surrogates, no
 /// overlong forms, nothing beyond U+10FFFF.

@@ -4,7 +4,6 @@
 
 #include "dynamics/words.h"
 #include "input/declaration/component.h"
-#include "input/expressions/units.h"
 #include "input/tree/diagnostics.h"
 
 #include <algorithm>
@@ -34,10 +33,9 @@ struct WrittenCase {
         Components called;   ///< by its own lines
     };
 
-    double start_time = 0;                     ///< case units
-    const input::UnitSystem* units = nullptr;  ///< of messages
-    Components methods;                        ///< in the order of the case
-    Components called;                         ///< those of them that the loop calls: no others act
+    double start_time = 0;  ///< case units
+    Components methods;     ///< in the order of the case
+    Components called;      ///< those of them that the loop calls: no others act
     std::vector<Layer> layers;
     std::vector<Sight> topology;
     std::map<std::string, const input::Component*, std::less<>> materials;  ///< by body
@@ -46,10 +44,6 @@ struct WrittenCase {
     bool calls(const input::Component& method) const {
         return std::ranges::find(called, &method) != called.end();
     }
-    /// Names that a parameter of a method refers to, whatever its type: a rule about methods of
-    /// another room knows them by a trait of theirs (Declaration::hasTrait) and by this.
-    static std::vector<input::Name> references(const input::Component& method,
-                                               std::string_view parameter);
     bool sees(std::string_view body, std::string_view other) const {
         return std::ranges::any_of(
             topology, [&](const Sight& s) { return s.body == body && s.seen == other; });

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "core/characters.h"
 #include "core/errors.h"
 #include "core/read_file.h"
 #include "geometry/polygon.h"
@@ -94,7 +95,7 @@ ShapePointer<2> readPolygon(const std::string& path) {
     }
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         throw ShapeError(fmt::format("{} is text in UTF-16: save it in UTF-8", path));
-    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);  // a byte-order mark
+    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
     if (looksLikeWkt(text)) return std::make_shared<Polygon>(readWkt(path, text));
     Ring ring = readPoints(path, text);
     try {

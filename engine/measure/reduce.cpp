@@ -59,9 +59,9 @@ std::unique_ptr<io::SeriesSource> makeSource(const ReduceParameters& p,
             return frontPosition(reduced, axis);
         }
         case Reduced::support_reaction:
-            return makeReactionSource<Dim>(body, p.body.place, context, about);
+            return makeLoadSource<Dim>(KnownLoads::supports, body, p.body.place, context, about);
         case Reduced::applied_load:
-            return makeAppliedSource<Dim>(body, p.body.place, context, about);
+            return makeLoadSource<Dim>(KnownLoads::applied, body, p.body.place, context, about);
         case Reduced::moment:
         case Reduced::force: break;
     }

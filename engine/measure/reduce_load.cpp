@@ -18,18 +18,31 @@ struct Words {
     std::string missing;  ///< "no method of the loop ..." without the body
 };
 
-/// Sum over the methods of the class Kind that load the body.
-template <template <int> class Kind, int Dim>
-std::unique_ptr<io::SeriesSource> makeSource(const bodies::Body<Dim>& body,
-                                             const input::Place& place,
-                                             const io::OutputContext<Dim>& context,
-                                             const std::optional<Vec<Dim>>& about,
-                                             const Words& words) {
-    std::vector<const Kind<Dim>*> loads;
-    for (const dynamics::Method* method : context.methods) {
-        const auto* load = dynamic_cast<const Kind<Dim>*>(method);
-        if (load && &load->loaded() == &body) loads.push_back(load);
-    }
+Words wordsOf(KnownLoads kind) {
+    if (kind == KnownLoads::supports)
+        return {"reaction", "the constraints", "no method of the loop holds particles of"};
+    return {"applied", "the loads from outside", "no method of the loop loads particles of"};
+}
+
+/// nullptr when it is no load of that kind.
+template <int Dim>
+const dynamics::KnownLoad<Dim>* loadOf(const dynamics::Method* method, KnownLoads kind) {
+    if (kind == KnownLoads::supports) return dynamic_cast<const dynamics::Support<Dim>*>(method);
+    return dynamic_cast<const dynamics::AppliedLoad<Dim>*>(method);
+}
+
+}  // namespace
+
+template <int Dim>
+std::unique_ptr<io::SeriesSource> makeLoadSource(KnownLoads kind, const bodies::Body<Dim>& body,
+                                                 const input::Place& place,
+                                                 const io::OutputContext<Dim>& context,
+                                                 const std::optional<Vec<Dim>>& about) {
+    const Words words = wordsOf(kind);
+    std::vector<const dynamics::KnownLoad<Dim>*> loads;
+    for (const dynamics::Method* method : context.methods)
+        if (const auto* load = loadOf<Dim>(method, kind); load && &load->loaded() == &body)
+            loads.push_back(load);
     if (loads.empty()) io::failAt(place, words.missing + " '" + body.name + "'");
     std::vector<io::SeriesQuantity> quantities{{words.column, context.units.text(unit::force),
                                                 "force of " + words.doc + " on the body",
@@ -49,43 +62,13 @@ std::unique_ptr<io::SeriesSource> makeSource(const bodies::Body<Dim>& body,
     });
 }
 
-}  // namespace
-
-template <int Dim>
-std::unique_ptr<io::SeriesSource> makeReactionSource(const bodies::Body<Dim>& body,
-                                                     const input::Place& place,
-                                                     const io::OutputContext<Dim>& context,
-                                                     const std::optional<Vec<Dim>>& about) {
-    return makeSource<dynamics::Support>(
-        body, place, context, about,
-        {"reaction", "the constraints", "no method of the loop holds particles of"});
-}
-
-template <int Dim>
-std::unique_ptr<io::SeriesSource> makeAppliedSource(const bodies::Body<Dim>& body,
-                                                    const input::Place& place,
-                                                    const io::OutputContext<Dim>& context,
-                                                    const std::optional<Vec<Dim>>& about) {
-    return makeSource<dynamics::AppliedLoad>(
-        body, place, context, about,
-        {"applied", "the loads from outside", "no method of the loop loads particles of"});
-}
-
-template std::unique_ptr<io::SeriesSource> makeReactionSource(const bodies::Body<2>&,
-                                                              const input::Place&,
-                                                              const io::OutputContext<2>&,
-                                                              const std::optional<Vec<2>>&);
-template std::unique_ptr<io::SeriesSource> makeReactionSource(const bodies::Body<3>&,
-                                                              const input::Place&,
-                                                              const io::OutputContext<3>&,
-                                                              const std::optional<Vec<3>>&);
-template std::unique_ptr<io::SeriesSource> makeAppliedSource(const bodies::Body<2>&,
-                                                             const input::Place&,
-                                                             const io::OutputContext<2>&,
-                                                             const std::optional<Vec<2>>&);
-template std::unique_ptr<io::SeriesSource> makeAppliedSource(const bodies::Body<3>&,
-                                                             const input::Place&,
-                                                             const io::OutputContext<3>&,
-                                                             const std::optional<Vec<3>>&);
+template std::unique_ptr<io::SeriesSource> makeLoadSource(KnownLoads, const bodies::Body<2>&,
+                                                          const input::Place&,
+                                                          const io::OutputContext<2>&,
+                                                          const std::optional<Vec<2>>&);
+template std::unique_ptr<io::SeriesSource> makeLoadSource(KnownLoads, const bodies::Body<3>&,
+                                                          const input::Place&,
+                                                          const io::OutputContext<3>&,
+                                                          const std::optional<Vec<3>>&);
 
 }  // namespace sphinx::measure

@@ -11,26 +11,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-input::AccessMode modeOf(input::AccessMode mode) {
-    switch (mode) {
-        case input::AccessMode::read: return input::AccessMode::read;
-        case input::AccessMode::write: return input::AccessMode::write;
-        case input::AccessMode::accumulate: return input::AccessMode::accumulate;
-        case input::AccessMode::release: return input::AccessMode::release;
-        case input::AccessMode::open: return input::AccessMode::open;
-        case input::AccessMode::close: return input::AccessMode::close;
-        case input::AccessMode::within: break;
-    }
-    return input::AccessMode::within;
-}
-
 /// Bodies that a parameter refers to; a part stands for its body.
 Words bodiesOf(const model::Case& model, const input::Component& method,
                const input::Parameter& parameter) {
-    std::vector<input::Name> names;
-    parameter.type->names(parameter.in(method.parameters.get()), names);
     Words bodies;
-    for (const input::Name& name : names) {
+    for (const input::Name& name : method.references(parameter)) {
         const std::string body = model::splitAction(name.text).first;
         if (model.findBody(body)) bodies.push_back(body);
     }
@@ -94,7 +79,7 @@ std::vector<dynamics::FieldAccess> resolveAccesses(const model::Case& model,
     for (const input::Access& access : method.declaration->actions()[action].accesses())
         for (const std::string& body : ownerBodies(model, method, access.owner))
             if (!access.if_made || isMade(model, body, access.field))
-                resolved.push_back({modeOf(access.mode), body, access.field});
+                resolved.push_back({access.mode, body, access.field});
     return resolved;
 }
 

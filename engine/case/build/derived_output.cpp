@@ -42,15 +42,13 @@ class DerivedOutput final : public Output {
 
 template <int Dim>
 DerivedFields<Dim>::DerivedFields(const input::Component& output, bodies::World<Dim>& world) {
-    std::vector<input::Name> names;
     for (const input::Parameter& parameter : output.declaration->parameters())
-        parameter.type->names(parameter.in(output.parameters.get()), names);
-    for (const input::Name& name : names) {
-        const particles::FieldInfo* field = fields::find(name.text);
-        if (field && field->kind == particles::FieldKind::derived &&
-            std::find(fields_.begin(), fields_.end(), field) == fields_.end())
-            fields_.push_back(field);
-    }
+        for (const input::Name& name : output.references(parameter)) {
+            const particles::FieldInfo* field = fields::find(name.text);
+            if (field && field->kind == particles::FieldKind::derived &&
+                std::find(fields_.begin(), fields_.end(), field) == fields_.end())
+                fields_.push_back(field);
+        }
     if (fields_.empty()) return;
     for (auto& body : world.bodies) {
         if (!body->isElastic()) continue;

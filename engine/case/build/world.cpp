@@ -4,10 +4,7 @@
 
 #include "case/build/initial_values.h"
 #include "case/build/lattices.h"
-#include "case/check/elastic.h"
-#include "case/check/particles.h"
-#include "case/check/walls.h"
-#include "case/check/world_rules.h"
+#include "case/check/checks.h"
 #include "materials/register.h"
 
 #include <algorithm>

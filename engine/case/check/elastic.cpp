@@ -1,25 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "case/check/elastic.h"
+#include "case/check/checks.h"
 
 #include <fmt/format.h>
+
 #include <algorithm>
-#include <limits>
 
 namespace sphinx::check {
 
 namespace {
 
+/// From the first to the last particle of the body and those bonded to it, along each axis.
+template <int Dim>
+Vec<Dim> extentOf(const bodies::Body<Dim>& body) {
+    Box<Dim> box;
+    for (const bodies::Body<Dim>* piece : body.piece())
+        for (std::size_t i = 0; i < piece->size(); ++i) box.include(piece->particles.position()[i]);
+    return box.size();
+}
+
 /// A single row of particles has no gradients across it.
 template <int Dim>
-void checkRows(const model::Body& source, const bodies::Body<Dim>& body,
+void checkRows(const model::Body& source, const bodies::Body<Dim>& body, const Vec<Dim>& extent,
                const bodies::World<Dim>& world, input::Diagnostics& diagnostics) {
     for (int axis = 0; axis < Dim; ++axis) {
-        Box<Dim> box;
-        for (const bodies::Body<Dim>* piece : body.piece())
-            for (std::size_t i = 0; i < piece->size(); ++i)
-                box.include(piece->particles.position()[i]);
-        if (box.size()[axis] > 0.5 * body.spacing) continue;
+        if (extent[axis] > 0.5 * body.spacing) continue;
         diagnostics.error(
             source.place,
             fmt::format("{} has one row of particles in {}, and an elastic body needs two at least "
@@ -37,18 +42,11 @@ void checkElastic(const model::Case& model, const bodies::World<Dim>& world,
     for (const model::Body& source : model.bodies) {
         if (source.role != bodies::Role::elastic) continue;
         const bodies::Body<Dim>& body = *world.find(source.name);
-        checkRows(source, body, world, diagnostics);
+        const Vec<Dim> extent = extentOf(body);
+        checkRows(source, body, extent, world, diagnostics);
         for (int axis = 0; axis < Dim; ++axis) {
             if (!world.domain.periodic[axis]) continue;
-            double low = std::numeric_limits<double>::infinity();
-            double high = -low;
-            for (const bodies::Body<Dim>* piece : body.piece())
-                for (std::size_t i = 0; i < piece->size(); ++i) {
-                    low = std::min(low, piece->particles.position()[i][axis]);
-                    high = std::max(high, piece->particles.position()[i][axis]);
-                }
-            const double gap =
-                world.domain.bounds.upper[axis] - world.domain.bounds.lower[axis] - (high - low);
+            const double gap = world.domain.bounds.size()[axis] - extent[axis];
             const double reach = body.kernel.cutoff();
             if (!(gap < reach)) continue;
             diagnostics.error(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "case/check/overlap.h"
+#include "case/check/checks.h"
 
 #include "neighbors/list_builder.h"
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "case/check/particles.h"
+#include "case/check/checks.h"
 
-#include "case/check/overlap.h"
 #include "core/sum_all.h"
 #include "particles/lattice.h"
 

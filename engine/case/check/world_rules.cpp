@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "case/check/world_rules.h"
+#include "case/check/checks.h"
 
 #include "case/language/rules.h"
 

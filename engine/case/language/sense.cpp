@@ -148,20 +148,15 @@ class SenseCheck {
     /// Methods act on what topology lets a body see.
     void checkSight(const Component& method) {
         const std::string& type = method.declaration->name();
-        const Name body = bodyOf(method, "body");
-        if (body.text.empty()) return;
+        const std::vector<Name> bodies = method.references("body");
+        if (bodies.size() != 1) return;
+        const Name& body = bodies.front();
         const bool sums = method.declaration->hasTrait("sums_over_itself");
         if (sums && !sees(body.text, "self") && !sees(body.text, body.text))
             diagnostics_.error(body.place,
                                fmt::format("{} sums over the particles of {} itself: its "
                                            "topology lacks 'self'",
                                            type, body.text));
-    }
-    static Name bodyOf(const Component& method, std::string_view parameter) {
-        std::vector<Name> names;
-        if (const Parameter* p = method.declaration->parameter(parameter))
-            p->type->names(p->in(method.parameters.get()), names);
-        return names.size() == 1 ? names.front() : Name{};
     }
     bool sees(const std::string& body, const std::string& other) const {
         for (const auto& [name, contacts] : block_.topology)

@@ -65,20 +65,16 @@ ShapeBuilder bothDimensions(Make make) {
 }
 
 /// make: [](const P&), in one dimension only.
-template <class P, class Make>
-ShapeBuilder only2d(Make make) {
+template <int Dim, class P, class Make>
+ShapeBuilder only(Make make) {
     ShapeBuilder builder;
-    builder.in2d = [make](const void* p, ShapeMaker<2>&) {
+    const auto build = [make](const void* p, ShapeMaker<Dim>&) {
         return make(*static_cast<const P*>(p));
     };
-    return builder;
-}
-template <class P, class Make>
-ShapeBuilder only3d(Make make) {
-    ShapeBuilder builder;
-    builder.in3d = [make](const void* p, ShapeMaker<3>&) {
-        return make(*static_cast<const P*>(p));
-    };
+    if constexpr (Dim == 2)
+        builder.in2d = build;
+    else
+        builder.in3d = build;
     return builder;
 }
 
@@ -93,21 +89,15 @@ void declareBox(Registry& registry) {
     }));
 }
 
-void declareBalls(Registry& registry) {
+template <int Dim>
+void declareBall(Registry& registry, const char* name, const char* summary) {
     using P = BallParameters;
-    for (const char* name : {"circle", "sphere"}) {
-        const bool circle = std::string(name) == "circle";
-        auto& d = registry.declare<P>(Kind::shape, name);
-        d.summary(circle ? "Circle (2D)" : "Sphere (3D)");
-        d.optional("center", &P::center, coordinates(unit::length), "centre; default: the origin");
-        d.required("radius", &P::radius, number(unit::length).above(0), "radius");
-        d.builder(circle ? only2d<P>([](const P& p) {
-            return geometry::makeBall<2>(vector<2>(p.center), p.radius);
-        })
-                         : only3d<P>([](const P& p) {
-                               return geometry::makeBall<3>(vector<3>(p.center), p.radius);
-                           }));
-    }
+    auto& d = registry.declare<P>(Kind::shape, name);
+    d.summary(summary);
+    d.optional("center", &P::center, coordinates(unit::length), "centre; default: the origin");
+    d.required("radius", &P::radius, number(unit::length).above(0), "radius");
+    d.builder(only<Dim, P>(
+        [](const P& p) { return geometry::makeBall<Dim>(vector<Dim>(p.center), p.radius); }));
 }
 
 void declarePolygon(Registry& registry) {
@@ -115,7 +105,7 @@ void declarePolygon(Registry& registry) {
     auto& d = registry.declare<P>(Kind::shape, "polygon");
     d.summary("Simple polygon (2D): corners in either order, or a file with WKT or one x y a line");
     d.bareValue(&P::points, tableOrFile(unit::length), "corners, the last not the first again");
-    d.builder(only2d<P>([](const P& p) {
+    d.builder(only<2, P>([](const P& p) {
         if (!p.points.file.empty()) return geometry::readPolygon(p.points.file);
         std::vector<Vec<2>> corners;
         for (const auto& row : p.points.rows) corners.emplace_back(row[0], row[1]);
@@ -130,7 +120,7 @@ void declareCylinder(Registry& registry) {
     d.required("from", &P::from, coordinates(unit::length), "centre of one end face");
     d.required("to", &P::to, coordinates(unit::length), "centre of the other end face");
     d.required("radius", &P::radius, number(unit::length).above(0), "radius");
-    d.builder(only3d<P>(
+    d.builder(only<3, P>(
         [](const P& p) { return geometry::makeCylinder(p.from.as<3>(), p.to.as<3>(), p.radius); }));
 }
 
@@ -182,18 +172,15 @@ void declareTransforms(Registry& registry) {
             const int dimension = p.axis.size;
             return dimension == 2 ? "a rotation in 2D has no axis" : "";
         });
-        ShapeBuilder builder;
-        builder.in2d = [](const void* parameters, ShapeMaker<2>& maker) {
-            const auto& p = *static_cast<const P*>(parameters);
-            return geometry::makeRotated(maker.operand(p.shape), p.angle, vector<2>(p.center));
-        };
-        builder.in3d = [](const void* parameters, ShapeMaker<3>& maker) {
-            const auto& p = *static_cast<const P*>(parameters);
-            if (p.axis.size == 0) throw geometry::ShapeError("in 3D an axis is needed");
-            return geometry::makeRotated(maker.operand(p.shape), p.angle, vector<3>(p.center),
-                                         p.axis.as<3>());
-        };
-        d.builder(builder);
+        d.builder(bothDimensions<P>([]<int Dim>(const P& p, ShapeMaker<Dim>& maker) {
+            if (Dim == 3 && p.axis.size == 0) throw geometry::ShapeError("in 3D an axis is needed");
+            const auto shape = maker.operand(p.shape);
+            const Vec<Dim> center = vector<Dim>(p.center);
+            if constexpr (Dim == 2)
+                return geometry::makeRotated(shape, p.angle, center);
+            else
+                return geometry::makeRotated(shape, p.angle, center, p.axis.as<3>());
+        }));
     }
     {
         using P = ScaleParameters;
@@ -227,7 +214,8 @@ void declareTransforms(Registry& registry) {
 
 void registerShapes(Registry& registry) {
     declareBox(registry);
-    declareBalls(registry);
+    declareBall<2>(registry, "circle", "Circle (2D)");
+    declareBall<3>(registry, "sphere", "Sphere (3D)");
     declarePolygon(registry);
     declareCylinder(registry);
     declareCombination(registry, "union", "All of several shapes",

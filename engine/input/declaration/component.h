@@ -24,6 +24,17 @@ struct Component {
     const P* find() const {
         return declaration->parametersType() == typeid(P) ? &as<P>() : nullptr;
     }
+    /// Names that a parameter refers to, whatever its type.
+    std::vector<Name> references(const Parameter& parameter) const {
+        std::vector<Name> names;
+        parameter.type->names(parameter.in(parameters.get()), names);
+        return names;
+    }
+    /// None where there is no such parameter.
+    std::vector<Name> references(std::string_view parameter) const {
+        const Parameter* found = declaration->parameter(parameter);
+        return found ? references(*found) : std::vector<Name>{};
+    }
     /// Where the parameter was given, or the place of the entry when it is a default.
     Place placeOf(std::string_view parameter) const {
         for (const auto& [name, given] : parameter_places)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/tree/load.h"
 
+#include "core/characters.h"
 #include "core/errors.h"
 #include "core/read_file.h"
 #include "input/tree/overrides.h"
@@ -60,7 +61,8 @@ class Loader {
         source->folder = fs::path(name).parent_path().string();
         source->name = std::move(name);
         source->text = std::move(text);
-        if (source->text.starts_with("\xEF\xBB\xBF")) source->text.erase(0, 3);
+        if (source->text.starts_with(byte_order_mark))
+            source->text.erase(0, byte_order_mark.size());
         source->order = static_cast<int>(files_.size());
         files_.push_back(source->name);
         Node root = readYaml(source, source->text, {}, diagnostics_);

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "../temporary_folder.h"
 #include "random_shapes.h"
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 using namespace sphinx;
@@ -12,21 +11,15 @@ using namespace sphinx::geometry;
 
 namespace {
 
-/// A folder of its own that goes away with the test.
+/// A file in a folder of its own.
 class Folder {
  public:
-    Folder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "sphinx_XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-    ~Folder() { std::filesystem::remove_all(path_); }
-
     std::string write(const std::string& text) const {
-        std::ofstream(path_ / "shape.txt", std::ios::binary) << text;
+        std::ofstream(folder_ / "shape.txt", std::ios::binary) << text;
         return file();
     }
-    std::string file() const { return (path_ / "shape.txt").string(); }
-    std::string folder() const { return path_.string(); }
+    std::string file() const { return (folder_ / "shape.txt").string(); }
+    std::string folder() const { return folder_.path().string(); }
 
     ShapePointer<2> read(const std::string& text) const { return readPolygon(write(text)); }
     /// The message without the file's name, which it must start with.
@@ -37,7 +30,7 @@ class Folder {
     }
 
  private:
-    std::filesystem::path path_;
+    test::TemporaryFolder folder_;
 };
 
 }  // namespace

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "input/tree/load.h"
 
+#include "../temporary_folder.h"
+
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 using namespace sphinx;
@@ -15,12 +15,7 @@ namespace {
 /// A file in a folder of its own, and what a case that includes it resolves to.
 class Included {
  public:
-    explicit Included(const std::string& text) {
-        std::string pattern = (std::filesystem::temp_directory_path() / "sphinx_XXXXXX").string();
-        folder_ = mkdtemp(pattern.data());
-        std::ofstream(folder_ / "base.yaml") << text;
-    }
-    ~Included() { std::filesystem::remove_all(folder_); }
+    explicit Included(const std::string& text) { std::ofstream(folder_ / "base.yaml") << text; }
 
     Node by(const std::string& text) const {
         Diagnostics diagnostics;
@@ -32,7 +27,7 @@ class Included {
     }
 
  private:
-    std::filesystem::path folder_;
+    test::TemporaryFolder folder_;
 };
 
 const Node& at(const Node& node, const char* first, const char* second) {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "../temporary_folder.h"
 #include "bodies/body.h"
 #include "core/output.h"
 #include "core/read_file.h"
 #include "io/file/file.h"
 #include "io/xml/archive.h"
 
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,29 +17,6 @@ namespace sphinx::test {
 
 inline constexpr particles::FieldInfo strain{"strain", particles::Rank::matrix, unit::none,
                                              "a matrix, for tests"};
-
-/// An empty folder for one test, removed afterwards.
-class TemporaryFolder {
- public:
-    TemporaryFolder() {
-        std::string pattern =
-            (std::filesystem::temp_directory_path() / "sphinx_io_XXXXXX").string();
-        if (!::mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
-        path_ = pattern;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const io::Path& path() const { return path_; }
-    io::Path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-    io::Path path_;
-};
 
 /// State of an output as a restart keeps it.
 class SavedState {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "../temporary_folder.h"
 #include "core/errors.h"
 #include "fakes.h"
 #include "loop/run/runner.h"
@@ -7,7 +8,6 @@
 #include <catch2/catch.hpp>
 
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -179,11 +179,11 @@ TEST_CASE("the profile as JSON") {
 }
 )"));
 
-    const auto path = std::filesystem::temp_directory_path() / "sphinx_unit_loop_profile.json";
+    const test::TemporaryFolder folder;
+    const auto path = folder / "profile.json";
     writeProfile(plain(), path);
     std::ostringstream read;
     read << std::ifstream(path).rdbuf();
     CHECK(read.str() == json);
-    std::filesystem::remove(path);
     CHECK_THROWS_AS(writeProfile(plain(), "/nonexistent/profile.json"), FileError);
 }
