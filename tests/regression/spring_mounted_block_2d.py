@@ -3,7 +3,8 @@
 """Block on a spring and a dashpot, pushed for a while, against the oscillator of one degree of freedom.
 
 After a force sets in, u = F/k (1 - exp(-z w t) (cos w' t + z w/w' sin w' t)), w^2 = k/m, w'^2 =
-w^2 (1 - z^2); when it ends, the same is taken away again.
+w^2 (1 - z^2); when it ends, the same is taken away again. What spring, dashpot and force exert together
+is F - k u - 2 z k/w u'.
 """
 
 import numpy as np
@@ -12,6 +13,7 @@ import checks
 
 CASE = "spring_mounted_block_2d"
 PERIOD, RATIO, DEFLECTION, PUSHED = 0.5, 0.05, 0.01, 0.75
+MASS = 80  # per metre of depth
 OMEGA = 2 * np.pi / PERIOD
 DAMPED = OMEGA * np.sqrt(1 - RATIO**2)
 
@@ -21,8 +23,21 @@ def step(t):
     return 1 - np.exp(-RATIO * OMEGA * t) * (np.cos(DAMPED * t) + RATIO * OMEGA / DAMPED * np.sin(DAMPED * t))
 
 
+def step_rate(t):
+    t = np.maximum(t, 0)
+    return OMEGA**2 / DAMPED * np.exp(-RATIO * OMEGA * t) * np.sin(DAMPED * t)
+
+
 def exact(t):
     return DEFLECTION * (step(t) - step(t - PUSHED))
+
+
+def exact_load(t):
+    """Of the force."""
+    def load(t):
+        return (t > 0) - step(t) - 2 * RATIO / OMEGA * step_rate(t)
+
+    return load(t) - load(t - PUSHED)
 
 
 def fitted(t, u):
@@ -39,11 +54,18 @@ def fitted(t, u):
 
 
 def measure(*settings):
-    series = checks.Run(f"{CASE}/case.yaml", *settings).series("centre")
+    run = checks.Run(f"{CASE}/case.yaml", *settings)
+    series = run.series("centre")
     t, u = series["time"], -series["displacement_y"]
     free = t > PUSHED
+    # A load is that of the last step: none at the start, and at the end of the push that before it.
+    load = run.series("load")
+    times = load["time"]
+    steady = (times > 0) & (np.abs(times - PUSHED) > 1e-3)
+    load_off = -load["applied_y"] / (MASS * OMEGA**2 * DEFLECTION) - exact_load(times)
     frequency, decay = fitted(t[free] - PUSHED, u[free])
     return {"t": t, "u": u, "off": np.abs(u - exact(t)).max() / DEFLECTION,
+            "load_off": np.abs(load_off[steady]).max(),
             "period": DAMPED / frequency - 1,
             "decrement": (decay / frequency) / (RATIO * OMEGA / DAMPED) - 1}
 
@@ -72,6 +94,8 @@ def main():
     found = measure()
     report = checks.Report()
     report.check("largest difference from the closed form, of the deflection", found["off"], 0, 0.003)
+    report.check("largest difference of the load from the closed form, of the push", found["load_off"],
+                 0, 0.005)
     report.check("period less that of theory, of it", found["period"], -1e-3, 1e-3)
     report.check("logarithmic decrement less that of theory, of it", found["decrement"], -0.01, 0.01)
     report.end()
