@@ -40,6 +40,15 @@ Factory<Product> factory(Make) {
             }};
 }
 
+/// Makes components of a class template M with a constructor (Context<Dim>&, const P&).
+template <template <int> class M, class P>
+struct Construct {
+    template <int Dim>
+    std::unique_ptr<M<Dim>> operator()(const P& p, Context<Dim>& context) const {
+        return std::make_unique<M<Dim>>(context, p);
+    }
+};
+
 /// What Declaration::builder of a method holds; that of a time step is a Factory<TimeStepMethod>.
 struct MethodBuilder {
     Factory<Method> factory;
@@ -125,17 +134,73 @@ DeclaredMethod<P, Make>& declareMethod(input::Registry& registry, std::string na
     return registry.add(std::make_unique<DeclaredMethod<P, Make>>(std::move(name), make));
 }
 
-/// Registers a method that a layer's `dt` names. What its estimate reads is declared by timeStep().
-template <class P, class Make>
-input::Declared<P>& declareTimeStep(input::Registry& registry, std::string name, Make make) {
-    return registry.declare<P>(input::Kind::dynamics, std::move(name))
-        .builder(factory<TimeStepMethod, P>(make));
+/// The same of a class template M with a constructor (Context<Dim>&, const P&).
+template <template <int> class M, class P>
+auto& declareMethod(input::Registry& registry, std::string name) {
+    return declareMethod<P>(registry, std::move(name), Construct<M, P>{});
 }
 
 /// The body of a checked reference.
 template <int Dim>
 Body<Dim>& bodyOf(Context<Dim>& context, const input::Name& name) {
     return *context.world.find(name.text);
+}
+
+/// Parameters of a method that needs to know its body alone.
+struct BodyParameters {
+    input::Name body;
+};
+
+/// A method of one body that is no more than what its action does.
+template <int Dim, class Run>
+class BodyMethod final : public Method {
+ public:
+    BodyMethod(const Body<Dim>& body, Run run) : body_(&body), run_(std::move(run)) {}
+    void run(const Clock& clock) { run_(clock); }
+    std::size_t workSize() const override { return body_->size(); }
+
+ private:
+    const Body<Dim>* body_;
+    Run run_;
+};
+
+/// Registers one with the parameter `body`; make: []<int Dim>(const P&, Body<Dim>&, Context<Dim>&),
+/// which returns what the action does, [](const Clock&).
+template <class P, class Make>
+auto& declareBodyMethod(input::Registry& registry, std::string name, Make) {
+    const auto method = []<int Dim>(const P& p, Context<Dim>& context) {
+        Body<Dim>& body = bodyOf(context, p.body);
+        auto run = Make{}(p, body, context);
+        return std::make_unique<BodyMethod<Dim, decltype(run)>>(body, std::move(run));
+    };
+    return declareMethod<P>(registry, std::move(name), method);
+}
+
+/// The estimate of a time step for one body.
+template <int Dim, class Estimate>
+class BodyTimeStep final : public TimeStepMethod {
+ public:
+    BodyTimeStep(const Body<Dim>& body, Estimate estimate)
+        : body_(&body), estimate_(std::move(estimate)) {}
+    double estimate() override { return estimate_(); }
+    std::size_t workSize() const override { return body_->size(); }
+
+ private:
+    const Body<Dim>* body_;
+    Estimate estimate_;
+};
+
+/// Registers one, which a layer's `dt` names; make: []<int Dim>(const P&, Body<Dim>&), which
+/// returns the estimate, []() -> double. What it reads is declared by timeStep().
+template <class P, class Make>
+input::Declared<P>& declareTimeStep(input::Registry& registry, std::string name, Make) {
+    const auto method = []<int Dim>(const P& p, Context<Dim>& context) {
+        Body<Dim>& body = bodyOf(context, p.body);
+        auto estimate = Make{}(p, body);
+        return std::make_unique<BodyTimeStep<Dim, decltype(estimate)>>(body, std::move(estimate));
+    };
+    return registry.declare<P>(input::Kind::dynamics, std::move(name))
+        .builder(factory<TimeStepMethod, P>(method));
 }
 
 }  // namespace sphinx::dynamics

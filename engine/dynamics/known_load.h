@@ -31,9 +31,9 @@ class KnownLoad {
             return load;
         });
     }
-
- protected:
-    /// To be filled: the force on the n-th particle of the part.
+    /// What it acts on.
+    const Part<Dim>& part() const { return loaded_; }
+    /// For who acts, to be filled: the force on the n-th particle of the part.
     AlignedVector<Vec<Dim>>& forces() {
         forces_.resize(loaded_.size());
         return forces_;

@@ -33,7 +33,7 @@ class Part {
     /// Index in the body of the n-th particle.
     std::size_t operator[](std::size_t n) const { return part_ ? part_->particles[n] : n; }
     /// findShares() makes images of its particles (ElasticRole::isImage). A whole body has none.
-    void mirror() {
+    void mirror() const {
         if (part_) body_->elastic().clamps.push_back(part_);
     }
     /// Those that follow others because of this part; ascending.

@@ -1,33 +1,70 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/constraint/clamp.h"
+#include "dynamics/arrangement_watch.h"
+#include "dynamics/constraint/mirror_images.h"
+#include "dynamics/methods.h"
+#include "dynamics/outer_forces.h"
+#include "dynamics/part_method.h"
 
 #include <fmt/format.h>
 
 namespace sphinx::dynamics::constraint {
+namespace {
+
+/// Holds an elastic body along the surface of a part: u = 0 there. Particles of whose cells the
+/// part covers more than a quarter are images: they mirror the motion of the others, u_g = sum_k
+/// c_gk u_k, without mass of their own, and hand the forces that they feel on to them, f_k += sum_g
+/// c_gk f_g. Each particle is strained as far as its cell lies outside of the part
+/// (ElasticRole::shares), so that the surface is met wherever it runs through the lattice. The
+/// motion is that of this energy, without loss. constraint.fix, where the particles of the part
+/// stand still and share stress and strain with the others, holds the body 0.6 to 0.8 spacings
+/// behind that surface instead: the first of them stands half a spacing behind it and shares the
+/// strain. Between the halves of the step; at the start, it gives the images their velocity.
+struct ClampParameters {
+    input::Name part;
+};
 
 template <int Dim>
-Clamp<Dim>::Clamp(Context<Dim>& context, Part<Dim> part)
-    : Support<Dim>(part),
-      relations_(&context.relations),
-      part_(part),
-      relation_(&context.relations.reference(part.body(), part.body())),
-      position_(part.body().particles.position()),
-      velocity_(part.body().particles.vector(fields::velocity)),
-      acceleration_(part.body().particles.vector(fields::acceleration)),
-      external_(part.body().particles.vector(fields::external_acceleration)),
-      pressure_force_(part.body().particles.vector(fields::pressure_force)),
-      viscous_force_(part.body().particles.vector(fields::viscous_force)),
-      mass_(part.body().particles.scalar(fields::mass)) {}
+class Clamp final : public PartMethod<Support, Dim> {
+ public:
+    Clamp(Context<Dim>& context, const ClampParameters& p)
+        : Clamp::PartMethod(Part<Dim>(context.world, p.part)),
+          relations_(&context.relations),
+          body_(&this->part().body()),
+          relation_(&context.relations.reference(*body_, *body_)),
+          position_(body_->particles.position()),
+          velocity_(body_->particles.vector(fields::velocity)),
+          acceleration_(body_->particles.vector(fields::acceleration)),
+          outer_(body_->particles),
+          mass_(body_->particles.scalar(fields::mass)) {}
+    void announce() override { this->part().mirror(); }
+    void prepare() override { findImages(); }
+    void run(const Clock& clock);
+
+ private:
+    /// Where the particles have other places than those found.
+    void findImages();
+
+    Relations<Dim>* relations_;
+    Body<Dim>* body_;
+    ReferenceRelation<Dim>* relation_;
+    std::vector<Index> images_;
+    std::vector<ImageLink> links_;
+    ArrangementWatch watch_;  // of the particles that these name
+
+    Field<Vec<Dim>>& position_;
+    Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& acceleration_;
+    OuterForces<Dim> outer_;
+    Field<double>& mass_;
+};
 
 template <int Dim>
 void Clamp<Dim>::findImages() {
-    const std::uint64_t arrangement = part_.body().particles.arrangement();
-    if (arrangement == arrangement_) return;
+    if (!watch_.hasChanged(body_->particles)) return;
     relations_->build(*relation_);
-    images_ = part_.images();
-    links_ = mirrorImages(part_, images_, *relation_, relations_->domain());
-    arrangement_ = arrangement;
+    images_ = this->part().images();
+    links_ = mirrorImages(this->part(), images_, *relation_, relations_->domain());
 }
 
 template <int Dim>
@@ -35,7 +72,7 @@ void Clamp<Dim>::run(const Clock& clock) {
     findImages();
     if (!clock.is_start) {
         const auto load = [&](Index i) -> Vec<Dim> {
-            return mass_[i] * external_[i] + pressure_force_[i] + viscous_force_[i];
+            return mass_[i] * outer_.external[i] + outer_.pressure[i] + outer_.viscous[i];
         };
         Load<Dim> reaction;
         for (const Index i : images_) reaction.add(position_[i], -mass_[i] * acceleration_[i]);
@@ -52,8 +89,6 @@ void Clamp<Dim>::run(const Clock& clock) {
     for (const ImageLink& link : links_)
         velocity_[link.image] += link.weight * velocity_[link.real];
 }
-
-namespace {
 
 /// Some of the body must be left to move.
 template <int Dim>
@@ -72,10 +107,7 @@ void checkRest(const input::Component& method, BuiltCase<Dim>& built) {
 
 void declareClamp(input::Registry& registry) {
     using P = ClampParameters;
-    auto& d = declareMethod<P>(
-        registry, "constraint.clamp", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<Clamp<Dim>>(context, Part<Dim>(context.world, p.part));
-        });
+    auto& d = declareMethod<Clamp, P>(registry, "constraint.clamp");
     d.summary(
         "Clamps an elastic body along the surface of a part, wherever it runs through the lattice; "
         "particles within mirror the motion of the others");
@@ -96,8 +128,5 @@ void declareClamp(input::Registry& registry) {
             "the particles behind its surface have no mass of their own as long as it is there; "
             "constraint.fix can let go");
 }
-
-template class Clamp<2>;
-template class Clamp<3>;
 
 }  // namespace sphinx::dynamics::constraint

@@ -1,41 +1,47 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/constraint/fix.h"
-
 #include "core/parallel.h"
+#include "dynamics/methods.h"
+#include "dynamics/part_method.h"
+
+#include <array>
 
 namespace sphinx::dynamics::constraint {
+namespace {
 
-template <int Dim>
-Fix<Dim>::Fix(Part<Dim> part, const std::vector<int>& directions)
-    : Support<Dim>(part),
-      part_(part),
-      velocity_(part.body().particles.vector(fields::velocity)),
-      mass_(part.body().particles.scalar(fields::mass)) {
-    fixed_.fill(directions.empty());
-    for (const int axis : directions) fixed_[static_cast<std::size_t>(axis)] = true;
-}
+/// Holds particles of an elastic body where they are: v = 0, in all or some directions. Between the
+/// halves of the step, after the velocity has got its kick m dv = f dt, which is minus what the
+/// support gives.
+struct FixParameters {
+    input::Name part;
+    std::vector<int> directions;
+};
 
-template <int Dim>
-void Fix<Dim>::run(const Clock& clock) {
-    AlignedVector<Vec<Dim>>& force = this->forces();
-    const double rate = clock.is_start ? 0 : 1 / clock.dt;
-    parallelFor(part_.size(), [&](std::size_t n) {
-        const std::size_t i = part_[n];
-        force[n].setZero();
-        for (int c = 0; c < Dim; ++c) {
-            if (!fixed_[static_cast<std::size_t>(c)]) continue;
-            force[n][c] = -rate * mass_[i] * velocity_[i][c];
-            velocity_[i][c] = 0;
-        }
-    });
-}
+}  // namespace
 
 void declareFix(input::Registry& registry) {
     using P = FixParameters;
-    auto& d = declareMethod<P>(
-        registry, "constraint.fix", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<Fix<Dim>>(Part<Dim>(context.world, p.part), p.directions);
+    auto& d = declarePartMethod<Support, P>(
+        registry, "constraint.fix", []<int Dim>(const P& p, const Part<Dim>& whole, Context<Dim>&) {
+            auto& velocity = whole.body().particles.vector(fields::velocity);
+            const auto& mass = whole.body().particles.scalar(fields::mass);
+            std::array<bool, Dim> fixed;
+            fixed.fill(p.directions.empty());
+            for (const int axis : p.directions) fixed[static_cast<std::size_t>(axis)] = true;
+            return [&velocity, &mass, fixed](const Clock& clock, KnownLoad<Dim>& load) {
+                const Part<Dim>& part = load.part();
+                AlignedVector<Vec<Dim>>& force = load.forces();
+                const double rate = clock.is_start ? 0 : 1 / clock.dt;
+                parallelFor(part.size(), [&](std::size_t n) {
+                    const std::size_t i = part[n];
+                    force[n].setZero();
+                    for (int c = 0; c < Dim; ++c) {
+                        if (!fixed[static_cast<std::size_t>(c)]) continue;
+                        force[n][c] = -rate * mass[i] * velocity[i][c];
+                        velocity[i][c] = 0;
+                    }
+                });
+            };
         });
     d.summary("Holds particles of an elastic body: no motion, or none along some axes");
     d.required("part", &P::part, input::partReference({"elastic"}), "body, or part of a body");
@@ -46,8 +52,5 @@ void declareFix(input::Registry& registry) {
         .writes("part", {"velocity"})
         .within("part", "step");
 }
-
-template class Fix<2>;
-template class Fix<3>;
 
 }  // namespace sphinx::dynamics::constraint

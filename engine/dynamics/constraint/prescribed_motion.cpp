@@ -4,25 +4,92 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
+#include "dynamics/known_load.h"
+#include "dynamics/methods.h"
 #include "dynamics/turned_normal.h"
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 
 namespace sphinx::dynamics::constraint {
+namespace {
+
+/// What both motions have.
+template <int Dim>
+class PrescribedMotion : public Method {
+ public:
+    PrescribedMotion(Context<Dim>& context, const PrescribedMotionParameters& p);
+    virtual void run(const Clock& clock) = 0;
+    std::size_t workSize() const override { return part_.size(); }
+
+ protected:
+    bool moves(int axis) const { return moves_[static_cast<std::size_t>(axis)]; }
+    /// Throws PhysicsError where u is not finite at one of these times.
+    void requireFinite(std::initializer_list<double> times) const;
+
+    const World<Dim>* world_;
+    Part<Dim> part_;
+    Field<Vec<Dim>>& position_;
+    Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& initial_position_;
+    Motion<Dim> motion_;
+
+ private:
+    std::array<bool, Dim> moves_{};
+};
+
+/// Of an elastic body, between the halves of its step: v = (u(t + dt) - u(t))/dt, and a position
+/// from which the drift of the second half leads to R + u(t + dt). The reaction is what takes the
+/// velocity from its value after the kick m dv = f dt to that one.
+template <int Dim>
+class PrescribedSolidMotion final : public PrescribedMotion<Dim>, public Support<Dim> {
+ public:
+    PrescribedSolidMotion(Context<Dim>& context, const PrescribedMotionParameters& p)
+        : PrescribedMotion<Dim>(context, p), Support<Dim>(this->part_) {}
+    void run(const Clock& clock) override;
+    void rest() override { this->setLoad({}); }
+    void transfer(Archive& archive) override { this->transferLoad(archive); }
+};
+
+/// Of a rigid body, at the start of a step: the position R + u(t + dt) at its end, and velocity and
+/// acceleration at its middle by central differences,
+/// v = (u(t + dt) - u(t))/dt, a = (u(t + dt) - 2 u(t + dt/2) + u(t))/(dt/2)^2. Normals turn with
+/// the body, n = F^-T N / abs(F^-T N) (Nanson's formula) at the end of the step. When the window of
+/// its line is over, the wall stands still where it is.
+template <int Dim>
+class PrescribedWallMotion final : public PrescribedMotion<Dim> {
+ public:
+    PrescribedWallMotion(Context<Dim>& context, const PrescribedMotionParameters& p)
+        : PrescribedMotion<Dim>(context, p),
+          acceleration_(this->part_.body().particles.vector(fields::acceleration)) {}
+    void prepare() override;
+    void run(const Clock& clock) override;
+    void rest() override;
+
+ private:
+    /// Into the period of the domain.
+    double wrapped(double x, int axis) const;
+    void turnNormals(const MotionAt<Dim>& after);
+
+    Field<Vec<Dim>>& acceleration_;
+    // Where something has found them.
+    Field<Vec<Dim>>* normal_ = nullptr;
+    const Field<Vec<Dim>>* initial_normal_ = nullptr;
+};
 
 template <int Dim>
-PrescribedMotion<Dim>::PrescribedMotion(const World<Dim>& world, Part<Dim> part, Motion<Dim> motion,
-                                        const std::vector<int>& directions)
-    : world_(&world),
-      part_(part),
-      position_(part.body().particles.position()),
-      velocity_(part.body().particles.vector(fields::velocity)),
-      initial_position_(part.body().particles.vector(fields::initial_position)),
-      motion_(std::move(motion)) {
-    moves_.fill(directions.empty());
-    for (const int axis : directions) moves_[static_cast<std::size_t>(axis)] = true;
+PrescribedMotion<Dim>::PrescribedMotion(Context<Dim>& context, const PrescribedMotionParameters& p)
+    : world_(&context.world),
+      part_(context.world, p.part),
+      position_(part_.body().particles.position()),
+      velocity_(part_.body().particles.vector(fields::velocity)),
+      initial_position_(part_.body().particles.vector(fields::initial_position)),
+      motion_(p.template motion<Dim>()) {
+    moves_.fill(p.directions.empty());
+    for (const int axis : p.directions) moves_[static_cast<std::size_t>(axis)] = true;
 }
 
 template <int Dim>
@@ -68,13 +135,6 @@ void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
     });
     if (spoilt > 0) this->requireFinite({clock.time, clock.time + dt});
 }
-
-template <int Dim>
-PrescribedWallMotion<Dim>::PrescribedWallMotion(const World<Dim>& world, Part<Dim> part,
-                                                Motion<Dim> motion,
-                                                const std::vector<int>& directions)
-    : PrescribedMotion<Dim>(world, part, std::move(motion), directions),
-      acceleration_(part.body().particles.vector(fields::acceleration)) {}
 
 template <int Dim>
 void PrescribedWallMotion<Dim>::prepare() {
@@ -147,8 +207,6 @@ void PrescribedWallMotion<Dim>::rest() {
         }
     });
 }
-
-namespace {
 
 /// A turn has an axis, in 3D.
 template <int Dim>
@@ -229,12 +287,9 @@ void declarePrescribedMotion(input::Registry& registry) {
     auto& d = declareMethod<P>(
         registry, "constraint.prescribed_motion",
         []<int Dim>(const P& p, Context<Dim>& context) -> std::unique_ptr<PrescribedMotion<Dim>> {
-            const Part<Dim> part(context.world, p.part);
-            if (part.body().isElastic())
-                return std::make_unique<PrescribedSolidMotion<Dim>>(
-                    context.world, part, p.template motion<Dim>(), p.directions);
-            return std::make_unique<PrescribedWallMotion<Dim>>(
-                context.world, part, p.template motion<Dim>(), p.directions);
+            if (Part<Dim>(context.world, p.part).body().isElastic())
+                return std::make_unique<PrescribedSolidMotion<Dim>>(context, p);
+            return std::make_unique<PrescribedWallMotion<Dim>>(context, p);
         });
     d.summary(
         "Moves particles of a solid as expressions of place and time say: of an elastic body "
@@ -269,12 +324,5 @@ void declarePrescribedMotion(input::Registry& registry) {
         .releases("part.rigid", {"normal"})
         .within("part", "step");
 }
-
-template class PrescribedMotion<2>;
-template class PrescribedMotion<3>;
-template class PrescribedSolidMotion<2>;
-template class PrescribedSolidMotion<3>;
-template class PrescribedWallMotion<2>;
-template class PrescribedWallMotion<3>;
 
 }  // namespace sphinx::dynamics::constraint

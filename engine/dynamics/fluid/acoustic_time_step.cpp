@@ -1,32 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/fluid/acoustic_time_step.h"
-
 #include "dynamics/fluid/largest_speed.h"
+#include "dynamics/methods.h"
 #include "materials/fluid.h"
 
 #include <cmath>
 
 namespace sphinx::dynamics::fluid {
+namespace {
 
-template <int Dim>
-AcousticTimeStep<Dim>::AcousticTimeStep(Body<Dim>& body, double cfl)
-    : body_(&body),
-      cfl_(cfl),
-      c0_(body.fluid().material->soundSpeed()),
-      velocity_(body.particles.vector(fields::velocity)) {}
+/// Acoustic criterion, guide (53): CFL h / (c0 + abs(v)_max).
+struct AcousticTimeStepParameters {
+    input::Name body;
+    double cfl = 0.6;
+};
 
-template <int Dim>
-double AcousticTimeStep<Dim>::estimate() {
-    const double speed2 = largestSquaredSpeed<Dim>(velocity_);
-    return cfl_ * body_->kernel.smoothingLength() / (c0_ + std::sqrt(speed2));
-}
+}  // namespace
 
 void declareAcousticTimeStep(input::Registry& registry) {
     using P = AcousticTimeStepParameters;
     auto& d = declareTimeStep<P>(
-        registry, "fluid.acoustic_time_step", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<AcousticTimeStep<Dim>>(bodyOf(context, p.body), p.cfl);
+        registry, "fluid.acoustic_time_step", []<int Dim>(const P& p, Body<Dim>& body) {
+            const double c0 = body.fluid().material->soundSpeed();
+            return [&, cfl = p.cfl, c0] {
+                const double speed2 = largestSquaredSpeed(body);
+                return cfl * body.kernel.smoothingLength() / (c0 + std::sqrt(speed2));
+            };
         });
     d.summary("Time step by the speed of sound");
     d.formula("guide (53): cfl h / (c0 + abs(v)_max)");
@@ -35,8 +34,5 @@ void declareAcousticTimeStep(input::Registry& registry) {
     d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
     d.timeStep("").reads("body", {"velocity"});
 }
-
-template class AcousticTimeStep<2>;
-template class AcousticTimeStep<3>;
 
 }  // namespace sphinx::dynamics::fluid

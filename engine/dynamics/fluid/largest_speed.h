@@ -9,7 +9,8 @@ namespace sphinx::dynamics::fluid {
 /// Largest abs(v)^2 of a body's particles in the run; 0 where there are none. Eight at a time: a
 /// single running maximum waits for itself.
 template <int Dim>
-double largestSquaredSpeed(const Field<Vec<Dim>>& velocity) {
+double largestSquaredSpeed(Body<Dim>& body) {
+    const Field<Vec<Dim>>& velocity = body.particles.vector(fields::velocity);
     const std::size_t n = velocity.size();
     return reduceAll(
         groupCount(n), 0.0,

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "core/archive.h"
+#include "dynamics/context.h"
+#include "dynamics/dynamics.h"
 #include "dynamics/load.h"
-#include "dynamics/words.h"
 
 #include <limits>
 #include <vector>
@@ -17,12 +18,17 @@ enum class LoadKind { pressure, viscous };
 /// is, without acting. What the solid gets is what the method takes from the fluid, by the same
 /// pair terms.
 template <int Dim>
-class SolidLoad {
+class SolidLoad : public Method {
  public:
-    virtual ~SolidLoad() = default;
+    LoadKind loadKind() const { return kind_; }
+    Body<Dim>& fluid() const { return *body_; }
+    std::size_t workSize() const override { return body_->size(); }
+    void rest() override { has_ended_ = true; }
+    void transfer(Archive& archive) override {
+        archive.value("last_time", last_time_);
+        archive.value("has_ended", has_ended_);
+    }
 
-    virtual LoadKind loadKind() const = 0;
-    virtual Body<Dim>& fluid() const = 0;
     /// Time of the step in which it acted last; without one: minus infinity.
     double lastTime() const { return last_time_; }
     /// The window in which it acted is over.
@@ -38,17 +44,18 @@ class SolidLoad {
                            Field<Vec<Dim>>& force) const = 0;
 
  protected:
+    SolidLoad(Context<Dim>& context, Body<Dim>& fluid, LoadKind kind) : body_(&fluid), kind_(kind) {
+        context.loads.push_back(this);
+    }
     void actedAt(double time) {
         last_time_ = time;
         has_ended_ = false;
     }
-    void endLoad() { has_ended_ = true; }
-    void transferLoad(Archive& archive) {
-        archive.value("last_time", last_time_);
-        archive.value("has_ended", has_ended_);
-    }
+
+    Body<Dim>* body_;  // the fluid
 
  private:
+    LoadKind kind_;
     double last_time_ = -std::numeric_limits<double>::infinity();
     bool has_ended_ = false;
 };

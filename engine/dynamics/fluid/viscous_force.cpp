@@ -4,7 +4,11 @@
 
 #include "core/exact_sum.h"
 #include "core/sum_all.h"
+#include "dynamics/fluid/solid_load.h"
+#include "dynamics/fluid/surroundings.h"
+#include "dynamics/methods.h"
 #include "dynamics/pair_loop.h"
+#include "materials/fluid.h"
 
 #include <fmt/format.h>
 
@@ -67,30 +71,59 @@ inline void addPairs(const Pairs<Dim>& pair, const Lanes (&v_ij)[Dim], Lanes r, 
     for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, direction[c]);
 }
 
-}  // namespace
+template <int Dim>
+class ViscousForce final : public SolidLoad<Dim> {
+ public:
+    ViscousForce(Context<Dim>& context, const ViscousForceParameters& p);
+
+    void run(const Clock& clock);
+    Load<Dim> loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                     const Vec<Dim>& about) const override;
+    void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                   Field<Vec<Dim>>& force) const override;
+
+ private:
+    using SolidLoad<Dim>::body_;
+
+    template <ViscousForm F>
+    void accelerate();
+    template <ViscousForm F>
+    Load<Dim> loadOn(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
+                     const Vec<Dim>& about) const;
+    template <ViscousForm F>
+    void addForces(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
+                   Field<Vec<Dim>>& force) const;
+
+    double nearest_;  // least distance of a fluid particle from a wall that is told apart
+    ViscousForm form_;
+    double factor_;   // dynamic viscosity times 2 L or 2 (d + 2)
+    double largest_;  // that sums over pairs may reach
+    Surroundings<Dim> around_;
+    Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& external_;
+    Field<double>& mass_;
+    Field<double>& volume_;
+};
 
 template <int Dim>
-ViscousForce<Dim>::ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip slip,
-                                ViscousForm form)
-    : body_(&body),
-      nearest_(0.25 * body.spacing),
-      form_(form),
+ViscousForce<Dim>::ViscousForce(Context<Dim>& context, const ViscousForceParameters& p)
+    : SolidLoad<Dim>(context, bodyOf(context, p.body), LoadKind::viscous),
+      nearest_(0.25 * body_->spacing),
+      form_(p.form),
       // What makes the sums forces.
-      factor_(2 * body.fluid().material->viscosity() *
-              (form == ViscousForm::laplacian ? body.kernel.laplacianFactor() : Dim + 2)),
+      factor_(2 * body_->fluid().material->viscosity() *
+              (p.form == ViscousForm::laplacian ? body_->kernel.laplacianFactor() : Dim + 2)),
       // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a
       // few 1/spacing^2.
-      largest_(body.fluid().material->soundSpeed() * std::pow(body.spacing, Dim - 2)),
-      around_(context, body,
+      largest_(body_->fluid().material->soundSpeed() * std::pow(body_->spacing, Dim - 2)),
+      around_(context, *body_,
               {.own = {.distance = true},
                .walls = {.distance = true},
-               .sees_walls = slip == WallSlip::no_slip}),
-      velocity_(body.particles.vector(fields::velocity)),
-      external_(body.particles.vector(fields::external_acceleration)),
-      mass_(body.particles.scalar(fields::mass)),
-      volume_(body.particles.scalar(fields::volume)) {
-    context.loads.push_back(this);
-}
+               .sees_walls = p.wall == WallSlip::no_slip}),
+      velocity_(body_->particles.vector(fields::velocity)),
+      external_(body_->particles.vector(fields::external_acceleration)),
+      mass_(body_->particles.scalar(fields::mass)),
+      volume_(body_->particles.scalar(fields::volume)) {}
 
 template <int Dim>
 void ViscousForce<Dim>::run(const Clock& clock) {
@@ -202,8 +235,6 @@ void ViscousForce<Dim>::addForces(const typename Surroundings<Dim>::Wall& wall,
     });
 }
 
-namespace {
-
 template <int Dim>
 void checkEffect(const input::Component& method, BuiltCase<Dim>& built) {
     const std::string& body = method.as<ViscousForceParameters>().body.text;
@@ -235,11 +266,7 @@ void checkApplied(BuiltCase<Dim>& built) {
 
 void declareViscousForce(input::Registry& registry) {
     using P = ViscousForceParameters;
-    auto& d = declareMethod<P>(registry, "fluid.viscous_force",
-                               []<int Dim>(const P& p, Context<Dim>& context) {
-                                   return std::make_unique<ViscousForce<Dim>>(
-                                       context, bodyOf(context, p.body), p.wall, p.form);
-                               });
+    auto& d = declareMethod<ViscousForce, P>(registry, "fluid.viscous_force");
     d.summary("Viscous force between fluid particles and from no-slip walls");
     d.formula(
         "laplacian: dv_i/dt = 2 mu L/m_i sum_j v_ij/r_ij W' V_i V_j; central, guide (35): "
@@ -272,8 +299,5 @@ void declareViscousForce(input::Registry& registry) {
         .writes("body", {"fresh_viscous_load"})
         .accumulates("body", {"external_acceleration"});
 }
-
-template class ViscousForce<2>;
-template class ViscousForce<3>;
 
 }  // namespace sphinx::dynamics::fluid

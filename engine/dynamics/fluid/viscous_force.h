@@ -3,20 +3,11 @@
 #pragma once
 
 #include "dynamics/declare.h"
-#include "dynamics/fluid/solid_load.h"
-#include "dynamics/fluid/surroundings.h"
 #include "dynamics/fluid/terms/viscosity.h"
-#include "materials/fluid.h"
 
 namespace sphinx::dynamics::fluid {
 
 enum class WallSlip { no_slip, free_slip };
-
-struct ViscousForceParameters {
-    input::Name body;
-    WallSlip wall = WallSlip::no_slip;
-    ViscousForm form = ViscousForm::laplacian;
-};
 
 /// Viscous force, in one of two forms:
 ///   laplacian   dv_i/dt = 2 mu L / m_i sum_j v_ij / r_ij W' V_i V_j
@@ -41,46 +32,10 @@ struct ViscousForceParameters {
 /// At a no-slip wall the velocity is continued linearly through the wall's surface:
 /// v_ij = (v_i - v_w) (1 + d_j/d_i) with the distances of both particles from the surface; Morris,
 /// Fox & Zhu 1997, (31)-(32).
-template <int Dim>
-class ViscousForce final : public Method, public SolidLoad<Dim> {
- public:
-    ViscousForce(Context<Dim>& context, Body<Dim>& body, WallSlip slip, ViscousForm form);
-
-    void run(const Clock& clock);
-    std::size_t workSize() const override { return body_->size(); }
-
-    LoadKind loadKind() const override { return LoadKind::viscous; }
-    Body<Dim>& fluid() const override { return *body_; }
-    void rest() override { this->endLoad(); }
-    void transfer(Archive& archive) override { this->transferLoad(archive); }
-    Load<Dim> loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
-                     const Vec<Dim>& about) const override;
-    void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
-                   Field<Vec<Dim>>& force) const override;
-
- private:
-    template <ViscousForm F>
-    void accelerate();
-    template <ViscousForm F>
-    Load<Dim> loadOn(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
-                     const Vec<Dim>& about) const;
-    template <ViscousForm F>
-    void addForces(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
-                   Field<Vec<Dim>>& force) const;
-
-    Body<Dim>* body_;
-    double nearest_;  // least distance of a fluid particle from a wall that is told apart
-    ViscousForm form_;
-    double factor_;   // dynamic viscosity times 2 L or 2 (d + 2)
-    double largest_;  // that sums over pairs may reach
-    Surroundings<Dim> around_;
-    Field<Vec<Dim>>& velocity_;
-    Field<Vec<Dim>>& external_;
-    Field<double>& mass_;
-    Field<double>& volume_;
+struct ViscousForceParameters {
+    input::Name body;
+    WallSlip wall = WallSlip::no_slip;
+    ViscousForm form = ViscousForm::laplacian;
 };
-
-/// Registers fluid.viscous_force.
-void declareViscousForce(input::Registry& registry);
 
 }  // namespace sphinx::dynamics::fluid

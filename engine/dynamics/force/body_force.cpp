@@ -1,30 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/force/body_force.h"
-
 #include "core/parallel.h"
+#include "dynamics/methods.h"
 #include "input/expressions/vector_at_time.h"
 
 namespace sphinx::dynamics::force {
+namespace {
 
-template <int Dim>
-BodyForce<Dim>::BodyForce(Body<Dim>& body, std::vector<input::FieldExpression> acceleration)
-    : body_(&body),
-      acceleration_(std::move(acceleration)),
-      external_(body.particles.vector(fields::external_acceleration)) {}
+/// Force per mass given as expressions of place and time, evaluated at the start of a substep of
+/// its layer.
+struct BodyForceParameters {
+    input::Name body;
+    std::vector<input::FieldExpression> acceleration;
+};
 
-template <int Dim>
-void BodyForce<Dim>::run(const Clock& clock) {
-    const auto& position = body_->particles.position();
-    const input::VectorAtTime<Dim> acceleration(acceleration_, clock.time);
-    parallelFor(body_->size(), [&](std::size_t i) { external_[i] += acceleration(position[i]); });
-}
+}  // namespace
 
 void declareBodyForce(input::Registry& registry) {
     using P = BodyForceParameters;
-    auto& d = declareMethod<P>(
-        registry, "force.body_force", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<BodyForce<Dim>>(bodyOf(context, p.body), p.acceleration);
+    auto& d = declareBodyMethod<P>(
+        registry, "force.body_force", []<int Dim>(const P& p, Body<Dim>& body, Context<Dim>&) {
+            const auto& position = body.particles.position();
+            auto& external = body.particles.vector(fields::external_acceleration);
+            return [&, given = p.acceleration](const Clock& clock) {
+                const input::VectorAtTime<Dim> acceleration(given, clock.time);
+                parallelFor(body.size(),
+                            [&](std::size_t i) { external[i] += acceleration(position[i]); });
+            };
         });
     d.summary("Force per mass on a body, as expressions of place and time");
     d.formula("dv_i/dt += f(r_i, t)");
@@ -34,8 +36,5 @@ void declareBodyForce(input::Registry& registry) {
                "force per mass, one expression of x, y, z, t for each direction");
     d.action().reads("body", {"position"}).accumulates("body", {"external_acceleration"});
 }
-
-template class BodyForce<2>;
-template class BodyForce<3>;
 
 }  // namespace sphinx::dynamics::force

@@ -1,25 +1,42 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/force/gravity.h"
-
 #include "core/parallel.h"
+#include "dynamics/methods.h"
 
 #include <fmt/format.h>
 #include <cmath>
 #include <limits>
 
 namespace sphinx::dynamics::force {
+namespace {
+
+/// Uniform gravity. The body knows it from the start: the potential energy and the pressure step
+/// of a resting fluid use it, so it acts throughout.
+struct GravityParameters {
+    input::Name body;
+    input::Coordinates acceleration;
+};
 
 template <int Dim>
-Gravity<Dim>::Gravity(Body<Dim>& body, const Vec<Dim>& acceleration)
-    : body_(&body),
-      acceleration_(acceleration),
-      external_(body.particles.vector(fields::external_acceleration)) {}
+class Gravity final : public Method {
+ public:
+    Gravity(Context<Dim>& context, const GravityParameters& p)
+        : body_(&bodyOf(context, p.body)),
+          acceleration_(p.acceleration.as<Dim>()),
+          external_(body_->particles.vector(fields::external_acceleration)) {}
+    void announce() override { body_->addGravity(acceleration_); }
+    void run(const Clock&) {
+        parallelFor(body_->size(), [&](std::size_t i) { external_[i] += acceleration_; });
+    }
+    std::size_t workSize() const override { return body_->size(); }
 
-template <int Dim>
-void Gravity<Dim>::run(const Clock&) {
-    parallelFor(body_->size(), [&](std::size_t i) { external_[i] += acceleration_; });
-}
+ private:
+    Body<Dim>* body_;
+    Vec<Dim> acceleration_;
+    Field<Vec<Dim>>& external_;
+};
+
+}  // namespace
 
 namespace {
 
@@ -57,11 +74,7 @@ void warnSoft(const input::Component& method, BuiltCase<Dim>& built) {
 
 void declareGravity(input::Registry& registry) {
     using P = GravityParameters;
-    auto& d =
-        declareMethod<P>(registry, "force.gravity", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<Gravity<Dim>>(bodyOf(context, p.body),
-                                                  p.acceleration.as<Dim>());
-        });
+    auto& d = declareMethod<Gravity, P>(registry, "force.gravity");
     d.summary("Uniform gravity on a body");
     d.formula("dv_i/dt += g");
     d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}),
@@ -75,8 +88,5 @@ void declareGravity(input::Registry& registry) {
             "the pressure of a fluid at rest and the potential energy count on it at all times; "
             "force.body_force can act at times");
 }
-
-template class Gravity<2>;
-template class Gravity<3>;
 
 }  // namespace sphinx::dynamics::force

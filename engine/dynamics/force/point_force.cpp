@@ -1,44 +1,49 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/force/point_force.h"
-
 #include "core/sum_all.h"
+#include "dynamics/methods.h"
+#include "dynamics/part_method.h"
 #include "input/expressions/vector_at_time.h"
 
 namespace sphinx::dynamics::force {
+namespace {
 
-template <int Dim>
-PointForce<Dim>::PointForce(Part<Dim> part, std::vector<input::FieldExpression> force)
-    : AppliedLoad<Dim>(part),
-      part_(part),
-      force_(std::move(force)),
-      velocity_(part.body().particles.vector(fields::velocity)),
-      mass_(part.body().particles.scalar(fields::mass)),
-      external_(part.body().particles.vector(fields::external_acceleration)) {}
+/// One force on a part of an elastic body, shared by its particles as their masses are, so that
+/// each gets the acceleration F/M and the sum is exactly F. Evaluated at the middle of the step,
+/// where the velocity gets its kick.
+struct PointForceParameters {
+    input::Name part;
+    std::vector<input::FieldExpression> force;
+};
 
-template <int Dim>
-void PointForce<Dim>::run(const Clock& clock) {
-    const double half = 0.5 * clock.dt;
-    const auto& position = part_.body().particles.position();
-    const double mass = part_.mass();
-    const Vec<Dim> moment = sumAll(part_.size(), [&](std::size_t n) -> Vec<Dim> {
-        const std::size_t i = part_[n];
-        return mass_[i] * (position[i] + half * velocity_[i]);
-    });
-    const Vec<Dim> centre = moment / mass;
-    const Vec<Dim> force = input::VectorAtTime<Dim>(force_, clock.time + half)(centre);
-    const Vec<Dim> acceleration = force / mass;
-    parallelFor(part_.size(), [&](std::size_t n) { external_[part_[n]] += acceleration; });
-    Load<Dim> load;
-    load.add(centre, force);
-    this->setLoad(load);
-}
+}  // namespace
 
 void declarePointForce(input::Registry& registry) {
     using P = PointForceParameters;
-    auto& d = declareMethod<P>(
-        registry, "force.point_force", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<PointForce<Dim>>(Part<Dim>(context.world, p.part), p.force);
+    auto& d = declarePartMethod<AppliedLoad, P>(
+        registry, "force.point_force",
+        []<int Dim>(const P& p, const Part<Dim>& whole, Context<Dim>&) {
+            ParticleSet<Dim>& particles = whole.body().particles;
+            const auto& velocity = particles.vector(fields::velocity);
+            const auto& mass = particles.scalar(fields::mass);
+            auto& external = particles.vector(fields::external_acceleration);
+            return [&, given = p.force](const Clock& clock, KnownLoad<Dim>& known) {
+                const Part<Dim>& part = known.part();
+                const double half = 0.5 * clock.dt;
+                const auto& position = particles.position();
+                const double total = part.mass();
+                const Vec<Dim> moment = sumAll(part.size(), [&](std::size_t n) -> Vec<Dim> {
+                    const std::size_t i = part[n];
+                    return mass[i] * (position[i] + half * velocity[i]);
+                });
+                const Vec<Dim> centre = moment / total;
+                const Vec<Dim> force = input::VectorAtTime<Dim>(given, clock.time + half)(centre);
+                const Vec<Dim> acceleration = force / total;
+                parallelFor(part.size(), [&](std::size_t n) { external[part[n]] += acceleration; });
+                Load<Dim> load;
+                load.add(centre, force);
+                known.setLoad(load);
+            };
         });
     d.summary(
         "One force on a part of an elastic body, shared by its particles as their masses are");
@@ -51,8 +56,5 @@ void declarePointForce(input::Registry& registry) {
         .reads("part", {"position", "velocity", "mass"})
         .accumulates("part", {"external_acceleration"});
 }
-
-template class PointForce<2>;
-template class PointForce<3>;
 
 }  // namespace sphinx::dynamics::force

@@ -1,45 +1,52 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/force/spring.h"
-
 #include "core/parallel.h"
+#include "dynamics/methods.h"
+#include "dynamics/part_method.h"
 
 namespace sphinx::dynamics::force {
+namespace {
 
-template <int Dim>
-Spring<Dim>::Spring(const Domain<Dim>& domain, Part<Dim> part, double stiffness, double damping)
-    : AppliedLoad<Dim>(part),
-      domain_(&domain),
-      part_(part),
-      stiffness_(stiffness),
-      damping_(damping),
-      initial_position_(part.body().particles.vector(fields::initial_position)),
-      velocity_(part.body().particles.vector(fields::velocity)),
-      external_(part.body().particles.vector(fields::external_acceleration)),
-      mass_(part.body().particles.scalar(fields::mass)) {}
+/// Springs and dashpots from the particles of a part to their initial positions, with the total
+/// stiffness k and damping c shared as the masses are: f_i = -m_i/M (k u_i + c v_i). Their sum is
+/// that of one spring and one dashpot at the centre of mass, whatever the deformation. Taken at the
+/// middle of the step, where the velocity gets its kick dt a: u = r + dt/2 v - R and v + dt/2 a, so
+/// that a (M + c dt/2) = -(k u + c v).
+struct SpringParameters {
+    input::Name part;
+    double stiffness = 0;
+    double damping = 0;
+};
 
-template <int Dim>
-void Spring<Dim>::run(const Clock& clock) {
-    const double half = 0.5 * clock.dt;
-    const auto& position = part_.body().particles.position();
-    AlignedVector<Vec<Dim>>& force = this->forces();
-    const double share = 1 / (part_.mass() + damping_ * half);
-    parallelFor(part_.size(), [&](std::size_t n) {
-        const std::size_t i = part_[n];
-        const Vec<Dim> u =
-            domain_->difference(position[i], initial_position_[i]) + half * velocity_[i];
-        const Vec<Dim> acceleration = share * (stiffness_ * u + damping_ * velocity_[i]);
-        external_[i] -= acceleration;
-        force[n] = -mass_[i] * acceleration;
-    });
-}
+}  // namespace
 
 void declareSpring(input::Registry& registry) {
     using P = SpringParameters;
-    auto& d =
-        declareMethod<P>(registry, "force.spring", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<Spring<Dim>>(
-                context.world.domain, Part<Dim>(context.world, p.part), p.stiffness, p.damping);
+    auto& d = declarePartMethod<AppliedLoad, P>(
+        registry, "force.spring",
+        []<int Dim>(const P& p, const Part<Dim>& whole, Context<Dim>& context) {
+            ParticleSet<Dim>& particles = whole.body().particles;
+            const auto& start = particles.vector(fields::initial_position);
+            const auto& velocity = particles.vector(fields::velocity);
+            const auto& mass = particles.scalar(fields::mass);
+            auto& external = particles.vector(fields::external_acceleration);
+            return
+                [&, p, domain = &context.world.domain](const Clock& clock, KnownLoad<Dim>& load) {
+                    const Part<Dim>& part = load.part();
+                    const double half = 0.5 * clock.dt;
+                    const auto& position = particles.position();
+                    AlignedVector<Vec<Dim>>& force = load.forces();
+                    const double share = 1 / (part.mass() + p.damping * half);
+                    parallelFor(part.size(), [&](std::size_t n) {
+                        const std::size_t i = part[n];
+                        const Vec<Dim> u =
+                            domain->difference(position[i], start[i]) + half * velocity[i];
+                        const Vec<Dim> acceleration =
+                            share * (p.stiffness * u + p.damping * velocity[i]);
+                        external[i] -= acceleration;
+                        force[n] = -mass[i] * acceleration;
+                    });
+                };
         });
     d.summary("Spring and dashpot from a part of an elastic body to where it was at the start");
     d.formula(
@@ -54,8 +61,5 @@ void declareSpring(input::Registry& registry) {
         .reads("part", {"initial_position", "position", "velocity", "mass"})
         .accumulates("part", {"external_acceleration"});
 }
-
-template class Spring<2>;
-template class Spring<3>;
 
 }  // namespace sphinx::dynamics::force

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/force/surface_pressure.h"
-
 #include "core/parallel.h"
+#include "dynamics/arrangement_watch.h"
+#include "dynamics/methods.h"
+#include "dynamics/part_method.h"
 #include "input/expressions/vector_at_time.h"
 
 #include <fmt/format.h>
@@ -12,34 +13,66 @@
 #include <optional>
 
 namespace sphinx::dynamics::force {
+namespace {
+
+/// Pressure on the surface of an elastic body, carried by a layer of particles along it: the part.
+/// Particle i stands for the reference area V_i/d of a layer of the thickness d with the outward
+/// unit normal N, which the deformation turns and stretches (Nanson's formula): f_i = -p(r_i, t)
+/// det(F_i) F_i^-T N_i V_i/d. On a plane face at rest the sum is exactly -p N times the area. Taken
+/// at the middle of the step, where the velocity gets its kick.
+struct SurfacePressureParameters {
+    input::Name part;
+    input::FieldExpression pressure;
+    std::optional<double> thickness;             ///< d, length; missing: the body's spacing
+    std::vector<input::FieldExpression> normal;  ///< of the initial position, of any length; empty:
+                                                 ///< N of the body's shape
+};
 
 template <int Dim>
-SurfacePressure<Dim>::SurfacePressure(Part<Dim> part, input::FieldExpression pressure,
-                                      double thickness, std::vector<input::FieldExpression> normal)
-    : AppliedLoad<Dim>(part),
-      part_(part),
-      pressure_(std::move(pressure)),
-      thickness_(thickness),
-      given_normal_(std::move(normal)),
-      velocity_(part.body().particles.vector(fields::velocity)),
-      external_(part.body().particles.vector(fields::external_acceleration)),
-      gradient_(part.body().particles.matrix(fields::deformation_gradient)),
-      rate_(part.body().particles.matrix(fields::deformation_rate)),
-      mass_(part.body().particles.scalar(fields::mass)) {}
+class SurfacePressure final : public PartMethod<AppliedLoad, Dim> {
+ public:
+    SurfacePressure(Context<Dim>& context, const SurfacePressureParameters& p)
+        : SurfacePressure::PartMethod(Part<Dim>(context.world, p.part)),
+          pressure_(p.pressure),
+          thickness_(p.thickness.value_or(this->part().body().spacing)),
+          given_normal_(p.normal),
+          velocity_(this->part().body().particles.vector(fields::velocity)),
+          external_(this->part().body().particles.vector(fields::external_acceleration)),
+          gradient_(this->part().body().particles.matrix(fields::deformation_gradient)),
+          rate_(this->part().body().particles.matrix(fields::deformation_rate)),
+          mass_(this->part().body().particles.scalar(fields::mass)) {}
+    void prepare() override { findAreas(); }
+    void run(const Clock& clock);
+
+ private:
+    /// Where the particles have other places than those found.
+    void findAreas();
+
+    input::FieldExpression pressure_;
+    double thickness_;
+    std::vector<input::FieldExpression> given_normal_;
+    AlignedVector<Vec<Dim>> area_;  // N V/d of the part's particles
+    ArrangementWatch watch_;
+    Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& external_;
+    Field<Mat<Dim>>& gradient_;
+    Field<Mat<Dim>>& rate_;
+    Field<double>& mass_;
+};
 
 template <int Dim>
 void SurfacePressure<Dim>::findAreas() {
-    ParticleSet<Dim>& particles = part_.body().particles;
-    if (arrangement_ == particles.arrangement()) return;
-    arrangement_ = particles.arrangement();
+    const Part<Dim>& part = this->part();
+    ParticleSet<Dim>& particles = part.body().particles;
+    if (!watch_.hasChanged(particles)) return;
     const auto& start = particles.vector(fields::initial_position);
     const auto& volume = particles.scalar(fields::volume);
-    area_.resize(part_.size());
+    area_.resize(part.size());
     std::optional<input::VectorAtTime<Dim>> given;
     if (!given_normal_.empty()) given.emplace(given_normal_, 0);
-    parallelFor(part_.size(), [&](std::size_t n) {
-        const std::size_t i = part_[n];
-        const Vec<Dim> normal = given ? (*given)(start[i]) : part_.body().shape->normal(start[i]);
+    parallelFor(part.size(), [&](std::size_t n) {
+        const std::size_t i = part[n];
+        const Vec<Dim> normal = given ? (*given)(start[i]) : part.body().shape->normal(start[i]);
         area_[n] = volume[i] / thickness_ * normal.normalized();
     });
 }
@@ -47,11 +80,12 @@ void SurfacePressure<Dim>::findAreas() {
 template <int Dim>
 void SurfacePressure<Dim>::run(const Clock& clock) {
     findAreas();
+    const Part<Dim>& part = this->part();
     const double half = 0.5 * clock.dt;
-    const auto& position = part_.body().particles.position();
+    const auto& position = part.body().particles.position();
     AlignedVector<Vec<Dim>>& force = this->forces();
-    parallelFor(part_.size(), [&](std::size_t n) {
-        const std::size_t i = part_[n];
+    parallelFor(part.size(), [&](std::size_t n) {
+        const std::size_t i = part[n];
         const Mat<Dim> F = gradient_[i] + half * rate_[i];
         const Vec<Dim> r = position[i] + half * velocity_[i];
         const double p = pressure_.template operator()<Dim>(r, clock.time + half);
@@ -60,8 +94,6 @@ void SurfacePressure<Dim>::run(const Clock& clock) {
         force[n] = -p * area;
     });
 }
-
-namespace {
 
 /// The normal has a direction, or the body a shape that tells it.
 template <int Dim>
@@ -92,12 +124,7 @@ void checkNormal(const input::Component& method, BuiltCase<Dim>& built) {
 
 void declareSurfacePressure(input::Registry& registry) {
     using P = SurfacePressureParameters;
-    auto& d = declareMethod<P>(
-        registry, "force.surface_pressure", []<int Dim>(const P& p, Context<Dim>& context) {
-            const Part<Dim> part(context.world, p.part);
-            return std::make_unique<SurfacePressure<Dim>>(
-                part, p.pressure, p.thickness.value_or(part.body().spacing), p.normal);
-        });
+    auto& d = declareMethod<SurfacePressure, P>(registry, "force.surface_pressure");
     d.summary(
         "Pressure on the surface of an elastic body, which turns and stretches with it; a "
         "layer of particles along the surface carries it");
@@ -126,8 +153,5 @@ void declareSurfacePressure(input::Registry& registry) {
                         "deformation_gradient", "deformation_rate"})
         .accumulates("part", {"external_acceleration"});
 }
-
-template class SurfacePressure<2>;
-template class SurfacePressure<3>;
 
 }  // namespace sphinx::dynamics::force

@@ -13,25 +13,49 @@ struct FluidForceParameters {
 };
 
 /// Force of a fluid on the particles of a solid: exactly minus what the fluid has felt from them,
-/// by the pair terms of the fluid's own method (fluid::SolidLoad). Added to `force`.
-template <int Dim>
-class FluidForce : public Method {
+/// by the pair terms of the fluid's own method (fluid::SolidLoad). Added to the field that holds
+/// forces of this kind.
+template <int Dim, fluid::LoadKind kind>
+class FluidForce final : public Method {
  public:
-    FluidForce(Context<Dim>& context, Body<Dim>& solid, Body<Dim>& fluid, fluid::LoadKind kind,
-               Field<Vec<Dim>>& force);
-    void run(const Clock& clock);
+    FluidForce(Context<Dim>& context, const FluidForceParameters& p)
+        : context_(&context),
+          solid_(&bodyOf(context, p.body)),
+          fluid_(&bodyOf(context, p.from)),
+          relation_(&context.relations.flow(*solid_, *fluid_, {.distance = true})),
+          force_(solid_->particles.vector(
+              kind == fluid::LoadKind::pressure ? fields::pressure_force : fields::viscous_force)) {
+    }
+    void run(const Clock&) {
+        if (const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind))
+            load->addForces(*solid_, relation_->list, force_);
+    }
     std::size_t workSize() const override { return solid_->size(); }
 
  private:
     Context<Dim>* context_;
     Body<Dim>* solid_;
     Body<Dim>* fluid_;
-    fluid::LoadKind kind_;
     const Relation<Dim>* relation_;  // of the solid to the fluid
     Field<Vec<Dim>>& force_;
 };
 
 /// A rule: a fluid pushes the bodies that it sees.
 void checkSight(const input::Component& method, WrittenCase& written);
+
+/// Registers the method that hands on loads of a kind, but for what is to be said of it alone.
+/// `from`: what the fluid does.
+template <fluid::LoadKind kind>
+auto& declareFluidForce(input::Registry& registry, std::string name, const std::string& from) {
+    using P = FluidForceParameters;
+    const auto make = []<int Dim>(const P& p, Context<Dim>& context) {
+        return std::make_unique<FluidForce<Dim, kind>>(context, p);
+    };
+    auto& d = declareMethod<P>(registry, std::move(name), make);
+    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
+    d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that " + from + " it");
+    d.rule(checkSight);
+    return d;
+}
 
 }  // namespace sphinx::dynamics::fsi

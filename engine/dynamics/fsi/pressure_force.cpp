@@ -1,26 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/fsi/pressure_force.h"
+#include "dynamics/fsi/fluid_force.h"
+#include "dynamics/methods.h"
 
 namespace sphinx::dynamics::fsi {
 
 void declarePressureForce(input::Registry& registry) {
-    using P = FluidForceParameters;
-    auto& d = declareMethod<P>(
-        registry, "fsi.pressure_force", []<int Dim>(const P& p, Context<Dim>& context) {
-            Body<Dim>& body = bodyOf(context, p.body);
-            return std::make_unique<FluidForce<Dim>>(context, body, bodyOf(context, p.from),
-                                                     fluid::LoadKind::pressure,
-                                                     body.particles.vector(fields::pressure_force));
-        });
+    auto& d =
+        declareFluidForce<fluid::LoadKind::pressure>(registry, "fsi.pressure_force", "pushes");
     d.summary(
         "Pressure of a fluid on the particles of an elastic body; after the first half of the "
         "fluid's pressure relaxation");
     d.formula("f_j = -sum_i 2 p*_ij e_ji W' V_i V_j, minus what the fluid has felt (guide 2.2.4)");
     d.cite("guide", "2.2.4").cite("Zhang, Rezavand & Hu 2021");
-    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
-    d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that pushes it");
-    d.rule(checkSight);
     d.action()
         .reads("body", {"normal", "volume", "average_velocity", "neighbors"})
         .reads("from", {"pressure", "density", "volume", "external_acceleration"})

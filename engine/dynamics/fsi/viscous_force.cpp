@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/fsi/viscous_force.h"
-
 #include "dynamics/fluid/viscous_force.h"
+#include "dynamics/fsi/fluid_force.h"
+#include "dynamics/methods.h"
 
 #include <fmt/format.h>
 
 namespace sphinx::dynamics::fsi {
-
 namespace {
 
 /// Solids that the fluid does not stick to get no viscous force.
@@ -32,21 +31,11 @@ void checkEffect(const input::Component& method, BuiltCase<Dim>& built) {
 }  // namespace
 
 void declareViscousForce(input::Registry& registry) {
-    using P = FluidForceParameters;
-    auto& d = declareMethod<P>(
-        registry, "fsi.viscous_force", []<int Dim>(const P& p, Context<Dim>& context) {
-            Body<Dim>& body = bodyOf(context, p.body);
-            return std::make_unique<FluidForce<Dim>>(context, body, bodyOf(context, p.from),
-                                                     fluid::LoadKind::viscous,
-                                                     body.particles.vector(fields::viscous_force));
-        });
+    auto& d = declareFluidForce<fluid::LoadKind::viscous>(registry, "fsi.viscous_force", "drags");
     d.summary(
         "Viscous force of a fluid on the particles of an elastic body; after the fluid's "
         "viscous force, before its velocity changes");
     d.formula("minus what the fluid has felt, see fluid.viscous_force");
-    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
-    d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that drags it");
-    d.rule(checkSight);
     d.worldRule([](const auto& method, auto& built) { checkEffect(method, built); });
     d.action()
         .reads("body", {"normal", "depth", "volume", "average_velocity", "neighbors"})

@@ -1,14 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/geometry/normals_from_shape.h"
-
 #include "core/parallel.h"
+#include "dynamics/methods.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace sphinx::dynamics::geometry {
 namespace {
+
+/// Normal and depth of every particle from the signed distance of the body's shape: the normal of
+/// the nearest point of its surface, outwards, and the distance to it. Bodies bonded to it, and
+/// those joined to it, belong to the shape: where two parts meet is no surface.
+///
+/// Where the nearest point is none of the surface of the whole, or another face is as near (the
+/// particles of an edge), the normal is that of the smoothed whole,
+///   n = -sum_s c(x + s) W(s) s / |...|,   c = 1 inside of a part, 0 outside,
+/// over points s half a spacing apart: at an edge the mean of both faces. (With the normal of one
+/// of them fluid that moves along that face is not held back by the particle, and enters the
+/// solid.)
+struct NormalsFromShapeParameters {
+    input::Name body;
+    std::vector<input::Name> joined;
+};
 
 template <int Dim>
 sphinx::geometry::ShapePointer<Dim> wholeShape(const Body<Dim>& body) {
@@ -18,17 +36,49 @@ sphinx::geometry::ShapePointer<Dim> wholeShape(const Body<Dim>& body) {
     return sphinx::geometry::makeUnion<Dim>(shapes);
 }
 
-}  // namespace
+template <int Dim>
+class NormalsFromShape final : public Method {
+ public:
+    NormalsFromShape(Context<Dim>& context, const NormalsFromShapeParameters& p);
+    void run(const Clock& clock);
+    std::size_t workSize() const override { return body_->size(); }
+
+ private:
+    /// A point of the sum that smooths, with its weight in whole numbers: so the sum of a mirrored
+    /// or turned solid is the mirrored or turned sum.
+    struct StencilPoint {
+        Vec<Dim> offset;
+        std::array<int, Dim> place;  // in steps
+        std::int64_t weight;
+    };
+    void makeStencil();
+    bool insideOther(const Vec<Dim>& x) const;
+    /// Of the whole.
+    bool inside(const Vec<Dim>& x) const;
+    /// Another face, at an angle, is the nearest within half a spacing.
+    bool nearEdge(const Vec<Dim>& x) const;
+    /// Zero where the surface of the whole is out of reach.
+    Vec<Dim> smoothedNormal(const Vec<Dim>& x) const;
+    double depthAlong(const Vec<Dim>& x, const Vec<Dim>& normal) const;
+
+    Body<Dim>* body_;
+    sphinx::geometry::ShapePointer<Dim> shape_;
+    std::vector<sphinx::geometry::ShapePointer<Dim>> others_;
+    std::vector<StencilPoint> stencil_;
+    Field<Vec<Dim>>& normal_;
+    Field<Vec<Dim>>& initial_normal_;
+    Field<double>& depth_;
+};
 
 template <int Dim>
-NormalsFromShape<Dim>::NormalsFromShape(Body<Dim>& body, const std::vector<Body<Dim>*>& joined)
-    : body_(&body),
-      shape_(wholeShape(body)),
-      normal_(body.particles.vector(fields::normal)),
-      initial_normal_(body.particles.vector(fields::initial_normal)),
-      depth_(body.particles.scalar(fields::depth)) {
-    for (const Body<Dim>* other : joined) others_.push_back(other->shape);
-    for (const Body<Dim>* other : body.bonded) others_.push_back(other->shape);
+NormalsFromShape<Dim>::NormalsFromShape(Context<Dim>& context, const NormalsFromShapeParameters& p)
+    : body_(&bodyOf(context, p.body)),
+      shape_(wholeShape(*body_)),
+      normal_(body_->particles.vector(fields::normal)),
+      initial_normal_(body_->particles.vector(fields::initial_normal)),
+      depth_(body_->particles.scalar(fields::depth)) {
+    for (const input::Name& name : p.joined) others_.push_back(bodyOf(context, name).shape);
+    for (const Body<Dim>* other : body_->bonded) others_.push_back(other->shape);
     makeStencil();
 }
 
@@ -124,8 +174,6 @@ void NormalsFromShape<Dim>::run(const Clock&) {
     });
 }
 
-namespace {
-
 /// Normals from the shape want a shape, of the body and of those joined to it.
 template <int Dim>
 void checkShapes(const input::Component& method, BuiltCase<Dim>& built) {
@@ -144,12 +192,7 @@ void checkShapes(const input::Component& method, BuiltCase<Dim>& built) {
 
 void declareNormalsFromShape(input::Registry& registry) {
     using P = NormalsFromShapeParameters;
-    auto& d = declareMethod<P>(
-        registry, "geometry.normals_from_shape", []<int Dim>(const P& p, Context<Dim>& context) {
-            std::vector<Body<Dim>*> joined;
-            for (const input::Name& name : p.joined) joined.push_back(&bodyOf(context, name));
-            return std::make_unique<NormalsFromShape<Dim>>(bodyOf(context, p.body), joined);
-        });
+    auto& d = declareMethod<NormalsFromShape, P>(registry, "geometry.normals_from_shape");
     d.summary("Normals and depths of a solid's particles from the signed distance of its shape");
     d.required("body", &P::body, input::bodyReference({"solid"}), "solid body with a shape");
     d.optional("joined", &P::joined, input::list(input::bodyReference({"solid"})),
@@ -157,8 +200,5 @@ void declareNormalsFromShape(input::Registry& registry) {
     d.worldRule([](const auto& method, auto& built) { checkShapes(method, built); });
     d.action().reads("body", {"position"}).writes("body", {"normal", "initial_normal", "depth"});
 }
-
-template class NormalsFromShape<2>;
-template class NormalsFromShape<3>;
 
 }  // namespace sphinx::dynamics::geometry

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/neighbors/update.h"
-
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
+#include "dynamics/methods.h"
 
 #include <fmt/format.h>
 
@@ -12,8 +11,13 @@
 #include <limits>
 
 namespace sphinx::dynamics::neighbors {
-
 namespace {
+
+/// Brings particles that left a periodic domain back on the other side, treats lost particles as
+/// the domain says, and rebuilds every list with one of the bodies on either side.
+struct UpdateParameters {
+    std::vector<input::Name> bodies;
+};
 
 /// The body and all that are bonded to it, directly (Body::piece) or through others.
 template <int Dim>
@@ -25,11 +29,33 @@ std::vector<Body<Dim>*> pieceOf(Body<Dim>& body) {
     return piece;
 }
 
-}  // namespace
+template <int Dim>
+class Update final : public Method {
+ public:
+    Update(Context<Dim>& context, const UpdateParameters& p);
+    void run(const Clock& clock);
+    std::size_t workSize() const override;
+
+ private:
+    /// Bodies that cross a periodic side particle by particle, or as a whole.
+    struct Crossing {
+        std::vector<Body<Dim>*> bodies;
+        bool whole = false;
+    };
+    void wrap(const Crossing& crossing) const;
+    void findLost(Body<Dim>& body, const Clock& clock);
+    void tellRemoved(const std::string& message);
+
+    Context<Dim>* context_;
+    std::vector<Body<Dim>*> bodies_;
+    std::vector<Crossing> crossings_;
+    std::size_t removed_ = 0;  ///< in this run
+    std::size_t next_count_ = 10;
+};
 
 template <int Dim>
-Update<Dim>::Update(Context<Dim>& context, std::vector<Body<Dim>*> bodies)
-    : context_(&context), bodies_(std::move(bodies)) {
+Update<Dim>::Update(Context<Dim>& context, const UpdateParameters& p) : context_(&context) {
+    for (const input::Name& name : p.bodies) bodies_.push_back(&bodyOf(context, name));
     for (Body<Dim>* body : bodies_) {
         const auto holdsBody = [&](const Crossing& crossing) {
             return std::ranges::find(crossing.bodies, body) != crossing.bodies.end();
@@ -155,23 +181,16 @@ void Update<Dim>::tellRemoved(const std::string& message) {
     }
 }
 
+}  // namespace
+
 void declareUpdate(input::Registry& registry) {
     using P = UpdateParameters;
-    auto& d = declareMethod<P>(registry, "neighbors.update",
-                               []<int Dim>(const P& p, Context<Dim>& context) {
-                                   std::vector<Body<Dim>*> bodies;
-                                   for (const input::Name& name : p.bodies)
-                                       bodies.push_back(&bodyOf(context, name));
-                                   return std::make_unique<Update<Dim>>(context, std::move(bodies));
-                               });
+    auto& d = declareMethod<Update, P>(registry, "neighbors.update");
     d.summary("Rebuilds every neighbor list with one of the bodies on either side");
     d.required("bodies", &P::bodies, input::list(input::bodyReference({"fluid", "solid"})),
                "bodies that have moved");
     d.trait("removes");
     d.action().reads("bodies", {"position"}).writes("bodies", {"neighbors"});
 }
-
-template class Update<2>;
-template class Update<3>;
 
 }  // namespace sphinx::dynamics::neighbors

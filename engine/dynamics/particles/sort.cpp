@@ -1,30 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/particles/sort.h"
+#include "dynamics/methods.h"
+#include "neighbors/cell_grid.h"
 
 namespace sphinx::dynamics::particles {
 
-template <int Dim>
-void Sort<Dim>::run(const Clock&) {
-    const double cell_size = Dim == 2 ? body_->kernel.cutoff() : body_->spacing;
-    grid_.build(body_->particles.position().data(), body_->size(), cell_size);
-    body_->particles.permute(grid_.order());
-    ++body_->version;
-}
-
+/// Reorders the particles of a body cell by cell, so that neighbors in space are neighbors in
+/// memory: in 2D by the cells of the lists, in 3D, where the particles around such a cell fill the
+/// first cache, by rows of single particles. Changes no value; lists of the body must be rebuilt
+/// afterwards.
 void declareSort(input::Registry& registry) {
-    using P = SortParameters;
-    auto& d = declareMethod<P>(registry, "particles.sort",
-                               []<int Dim>(const P& p, Context<Dim>& context) {
-                                   return std::make_unique<Sort<Dim>>(bodyOf(context, p.body));
-                               });
+    using P = BodyParameters;
+    auto& d = declareBodyMethod<P>(
+        registry, "particles.sort", []<int Dim>(const P&, Body<Dim>& body, Context<Dim>&) {
+            return [&, grid = sphinx::neighbors::CellGrid<Dim>()](const Clock&) mutable {
+                const double cell_size = Dim == 2 ? body.kernel.cutoff() : body.spacing;
+                grid.build(body.particles.position().data(), body.size(), cell_size);
+                body.particles.permute(grid.order());
+                ++body.version;
+            };
+        });
     d.summary("Reorders the particles of a body in memory by place, for speed");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.trait("permutes");
     d.action().reads("body", {"position"});
 }
-
-template class Sort<2>;
-template class Sort<3>;
 
 }  // namespace sphinx::dynamics::particles

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/solid/hourglass_rule.h"
 
-#include "dynamics/solid/stress_relaxation.h"
-#include "dynamics/solid/stress_update.h"
-
 #include <fmt/format.h>
 
 #include <optional>

@@ -6,6 +6,18 @@
 
 namespace sphinx::dynamics::solid {
 
+/// Of the methods that the rule is about.
+struct StressRelaxationParameters {
+    input::Name body;
+    bool hourglass_control = true;
+    bool damping = true;
+};
+
+struct StressUpdateParameters {
+    input::Name body;
+    bool hourglass_control = true;
+};
+
 /// A rule of methods that step an elastic body: a body has one hourglass control, by whichever of
 /// them it is stepped.
 void checkHourglassControl(const input::Component& method, WrittenCase& written);

@@ -6,29 +6,58 @@
 #error "compile this file with -ffp-contract=fast and SPHINX_FUSED"
 #endif
 
-#include "dynamics/solid/stress_relaxation.h"
-
 #include "core/parallel.h"
+#include "dynamics/methods.h"
+#include "dynamics/outer_forces.h"
+#include "dynamics/solid/deformation.h"
 #include "dynamics/solid/hourglass_rule.h"
 
 #include <fmt/format.h>
 
 namespace sphinx::dynamics::solid {
+namespace {
+
+/// Elastic step of a total-Lagrangian solid, guide (5), as drift-kick-drift:
+///   first half:  F += dt/2 dF, r += dt/2 v, P(F), then
+///                dv_i = V_i/m_i sum_j (P_i B_i^T + P_j B_j^T) e_ij W' V_j + external,  v += dt dv
+///                (with the hourglass control and the shares of particles, see Deformation)
+///   second half: dF_i = -sum_j v_ij (x) e_ij W' V_j B_i,  F += dt/2 dF, r += dt/2 v
+/// all sums in the reference configuration. External are the accumulated accelerations and the
+/// forces of fluids by pressure and viscosity. A constraint acts between the halves.
+template <int Dim>
+class StressRelaxation final : public Method {
+ public:
+    StressRelaxation(Context<Dim>& context, const StressRelaxationParameters& p);
+    void announce() override { deformation_.announce(); }
+    void prepare() override { deformation_.prepare(); }
+    std::size_t workSize() const override { return body_->size(); }
+
+    void firstHalf(const Clock& clock);
+    void secondHalf(const Clock& clock);
+
+ private:
+    Body<Dim>* body_;
+    Deformation<Dim> deformation_;
+    bool damping_;
+    Field<Vec<Dim>>& position_;
+    Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& acceleration_;
+    OuterForces<Dim> outer_;
+    Field<double>& mass_;
+    Field<double>& volume_;
+};
 
 template <int Dim>
-StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, Body<Dim>& body,
-                                        bool hourglass_control, bool damping)
-    : body_(&body),
-      deformation_(context, body, hourglass_control),
-      damping_(damping),
-      position_(body.particles.position()),
-      velocity_(body.particles.vector(fields::velocity)),
-      acceleration_(body.particles.vector(fields::acceleration)),
-      external_(body.particles.vector(fields::external_acceleration)),
-      pressure_force_(body.particles.vector(fields::pressure_force)),
-      viscous_force_(body.particles.vector(fields::viscous_force)),
-      mass_(body.particles.scalar(fields::mass)),
-      volume_(body.particles.scalar(fields::volume)) {}
+StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, const StressRelaxationParameters& p)
+    : body_(&bodyOf(context, p.body)),
+      deformation_(context, *body_, p.hourglass_control),
+      damping_(p.damping),
+      position_(body_->particles.position()),
+      velocity_(body_->particles.vector(fields::velocity)),
+      acceleration_(body_->particles.vector(fields::acceleration)),
+      outer_(body_->particles),
+      mass_(body_->particles.scalar(fields::mass)),
+      volume_(body_->particles.scalar(fields::volume)) {}
 
 template <int Dim>
 void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
@@ -38,8 +67,8 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
     parallelForGroups(body_->size(), [&](const Group& group) {
         using Vector = VecOf<Dim, Wide>;
         const Vector force = load(volume_, group) * deformation_.stressDivergence(group) +
-                             load(pressure_force_, group) + load(viscous_force_, group);
-        const Vector a = force / load(mass_, group) + load(external_, group);
+                             load(outer_.pressure, group) + load(outer_.viscous, group);
+        const Vector a = force / load(mass_, group) + load(outer_.external, group);
         store(a, acceleration_, group);
         const Vector v = load(velocity_, group) + dt * a;
         store(v, velocity_, group);
@@ -54,8 +83,6 @@ void StressRelaxation<Dim>::secondHalf(const Clock& clock) {
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
     ++body_->version;
 }
-
-namespace {
 
 /// Of two bodies that are bonded one moves, the other hands its stress on.
 void checkBonded(const input::Component& method, WrittenCase& written) {
@@ -76,11 +103,7 @@ void checkBonded(const input::Component& method, WrittenCase& written) {
 
 void declareStressRelaxation(input::Registry& registry) {
     using P = StressRelaxationParameters;
-    auto& d = declareMethod<P>(
-        registry, "solid.stress_relaxation", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<StressRelaxation<Dim>>(context, bodyOf(context, p.body),
-                                                           p.hourglass_control, p.damping);
-        });
+    auto& d = declareMethod<StressRelaxation, P>(registry, "solid.stress_relaxation");
     d.summary("Step of an elastic body in two halves around the sum of its stresses");
     d.formula(
         "guide (5), (29), (31) as drift-kick-drift; m_i dv_i/dt = sum_j (P_i B_i^T + P_j B_j^T) "
@@ -120,8 +143,5 @@ void declareStressRelaxation(input::Registry& registry) {
         .writes("body", {"deformation_rate", "deformation_gradient", "position"})
         .closes("body", "step");
 }
-
-template class StressRelaxation<2>;
-template class StressRelaxation<3>;
 
 }  // namespace sphinx::dynamics::solid

@@ -1,18 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/solid/stress_update.h"
-
+#include "dynamics/methods.h"
+#include "dynamics/solid/deformation.h"
 #include "dynamics/solid/hourglass_rule.h"
 
 namespace sphinx::dynamics::solid {
+namespace {
+
+/// Deformation and stress of an elastic body whose particles are held, in two halves around the
+/// step of a body that is bonded to it: guide, chapter 5, the base of the gate. Nothing moves.
+template <int Dim>
+class StressUpdate final : public Method {
+ public:
+    StressUpdate(Context<Dim>& context, const StressUpdateParameters& p)
+        : deformation_(context, bodyOf(context, p.body), p.hourglass_control) {}
+    void announce() override { deformation_.announce(); }
+    void prepare() override { deformation_.prepare(); }
+    void firstHalf(const Clock& clock) { deformation_.firstHalf(clock); }
+    void secondHalf(const Clock& clock) { deformation_.secondHalf(clock.dt); }
+    std::size_t workSize() const override { return deformation_.body().size(); }
+
+ private:
+    Deformation<Dim> deformation_;
+};
+
+}  // namespace
 
 void declareStressUpdate(input::Registry& registry) {
     using P = StressUpdateParameters;
-    auto& d = declareMethod<P>(registry, "solid.stress_update",
-                               []<int Dim>(const P& p, Context<Dim>& context) {
-                                   return std::make_unique<StressUpdate<Dim>>(
-                                       context, bodyOf(context, p.body), p.hourglass_control);
-                               });
+    auto& d = declareMethod<StressUpdate, P>(registry, "solid.stress_update");
     d.summary("Stress of an elastic body whose particles are held, for bodies bonded to it");
     d.formula(
         "guide (29), (6): F += dt/2 dF/dt and P(F) in the first half; dF/dt and F += dt/2 "

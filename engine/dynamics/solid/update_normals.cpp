@@ -1,31 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/solid/update_normals.h"
-
 #include "core/parallel.h"
+#include "dynamics/methods.h"
 #include "dynamics/turned_normal.h"
 
 namespace sphinx::dynamics::solid {
 
-template <int Dim>
-UpdateNormals<Dim>::UpdateNormals(Body<Dim>& body)
-    : body_(&body),
-      normal_(body.particles.vector(fields::normal)),
-      initial_normal_(body.particles.vector(fields::initial_normal)),
-      gradient_(body.particles.matrix(fields::deformation_gradient)) {}
-
-template <int Dim>
-void UpdateNormals<Dim>::run(const Clock&) {
-    parallelFor(body_->size(), [&](std::size_t i) {
-        normal_[i] = turnedNormal<Dim>(gradient_[i], initial_normal_[i], normal_[i]);
-    });
-}
-
+/// Normals that turn with an elastic body: n = F^-T N / abs(F^-T N) (Nanson's formula), N at the
+/// start.
 void declareUpdateNormals(input::Registry& registry) {
-    using P = UpdateNormalsParameters;
-    auto& d = declareMethod<P>(
-        registry, "solid.update_normals", []<int Dim>(const P& p, Context<Dim>& context) {
-            return std::make_unique<UpdateNormals<Dim>>(bodyOf(context, p.body));
+    using P = BodyParameters;
+    auto& d = declareBodyMethod<P>(
+        registry, "solid.update_normals", []<int Dim>(const P&, Body<Dim>& body, Context<Dim>&) {
+            auto& normal = body.particles.vector(fields::normal);
+            const auto& initial_normal = body.particles.vector(fields::initial_normal);
+            const auto& gradient = body.particles.matrix(fields::deformation_gradient);
+            return [&](const Clock&) {
+                parallelFor(body.size(), [&](std::size_t i) {
+                    normal[i] = turnedNormal<Dim>(gradient[i], initial_normal[i], normal[i]);
+                });
+            };
         });
     d.summary("Normals of an elastic body turn with its deformation");
     d.formula("n = F^-T N / abs(F^-T N)");
@@ -34,8 +28,5 @@ void declareUpdateNormals(input::Registry& registry) {
         .reads("body", {"initial_normal", "deformation_gradient", "normal"})
         .writes("body", {"normal"});
 }
-
-template class UpdateNormals<2>;
-template class UpdateNormals<3>;
 
 }  // namespace sphinx::dynamics::solid

@@ -18,14 +18,7 @@ model::Case read(const std::string& text) {
 }
 
 std::string sorted(int version) {
-    return "sphinx: " + std::to_string(version) + R"yaml(
-dimension: 2
-resolution: {spacing: 0.1}
-geometry: {block: {box: {lower: [0, 0], upper: [1, 1]}}}
-materials: {water: {type: weakly_compressible_fluid, density: 1000, sound_speed: 20}}
-bodies: {water: {kind: fluid, shape: block, material: water}}
-topology: {water: [self]}
-dynamics:
+    return test::blockOfWater(version) + R"yaml(dynamics:
   neighbors: {type: neighbors.update, bodies: [water]}
   sort: {type: particles.sort, body: water}
 loop: {end_time: 1, start: [neighbors], layer: all, dt: 0.1, steps: [sort, neighbors]}
@@ -44,7 +37,7 @@ std::string warningsOf(const model::Case& model, int version,
 
 TEST_CASE("a case of an older version is told what has changed, and the resolved one is not") {
     const model::Case old = read(sorted(1));
-    CHECK_THAT(old.warnings, Catch::StartsWith("case.yaml:12:11: warning: since version 2 of the "
+    CHECK_THAT(old.warnings, Catch::StartsWith("case.yaml:13:11: warning: since version 2 of the "
                                                "language frames hold the particles in the order"));
     CHECK(old.warnings.find("warning", 30) == std::string::npos);
     const std::string shown = run::showCase(old);

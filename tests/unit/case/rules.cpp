@@ -6,6 +6,7 @@
 #include "case/language/read.h"
 #include "case/language/register.h"
 #include "core/errors.h"
+#include "registry.h"
 
 #include <catch2/catch.hpp>
 
@@ -19,6 +20,7 @@ struct PushParameters {
 
 template <int Dim>
 struct Push final : dynamics::Method {
+    Push(dynamics::Context<Dim>&, const PushParameters&) {}
     void run(const Clock&) {}
     std::size_t workSize() const override { return 0; }
 };
@@ -32,9 +34,7 @@ void note(const std::string& type, const std::string& rule) { asked.push_back(ty
 template <const char* type>
 void declarePush(input::Registry& registry) {
     using P = PushParameters;
-    auto& d = dynamics::declareMethod<P>(
-        registry, type,
-        []<int Dim>(const P&, dynamics::Context<Dim>&) { return std::make_unique<Push<Dim>>(); });
+    auto& d = dynamics::declareMethod<Push, P>(registry, type);
     d.required("strength", &P::strength, input::number(unit::none), "");
     d.action();
     d.rule([](const input::Component& method, dynamics::WrittenCase& written) {
@@ -56,15 +56,7 @@ void declarePush(input::Registry& registry) {
 constexpr char push[] = "test.push";
 constexpr char shove[] = "test.shove";
 
-const char* const two_pushes = R"yaml(sphinx: 2
-dimension: 2
-units: none
-resolution: {spacing: 0.1}
-geometry: {block: {box: {lower: [0, 0], upper: [1, 1]}}}
-materials: {water: {type: weakly_compressible_fluid, density: 1, sound_speed: 10}}
-bodies: {water: {kind: fluid, shape: block, material: water}}
-topology: {water: [self]}
-dynamics:
+const char* const two_pushes = R"yaml(dynamics:
   neighbors: {type: neighbors.update, bodies: [water]}
   late: {type: test.push, strength: 101}
   later: {type: test.push, strength: LATER}
@@ -78,7 +70,7 @@ model::Case read(const std::string& strength) {
         declarePush<push>(all);
         declarePush<shove>(all);
     }
-    std::string text = two_pushes;
+    std::string text = test::blockOfWater(2) + two_pushes;
     text.replace(text.find("LATER"), 5, strength);
     asked.clear();
     return language::readCaseText("case.yaml", text, all);

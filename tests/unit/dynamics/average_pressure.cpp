@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/fluid/average_pressure.h"
 #include "../scene/scene.h"
 
 #include <catch2/catch.hpp>
@@ -20,7 +19,7 @@ TEMPLATE_TEST_CASE_SIG("mean of the pressure over the substeps of an interval", 
             pressure[i] = scale * static_cast<double>(i + 1);
     };
     setPressure(7);
-    fluid::AveragePressure<Dim> average(water);
+    const auto average = scene.method("type: fluid.average_pressure, body: water");
     auto& mean = particles.scalar(fields::average_pressure);
     const auto isTimes = [&](double scale) {
         for (std::size_t i = 0; i < particles.size(); ++i)

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/constraint/clamp.h"
 
 #include "../scene/stepper.h"
-#include "dynamics/force/gravity.h"
-#include "dynamics/solid/acoustic_time_step.h"
+#include "dynamics/constraint/mirror_images.h"
 #include "dynamics/solid/internal_energy.h"
 
 #include <catch2/catch.hpp>
@@ -23,13 +21,13 @@ struct Clamped {
     const double depth;
     Scene<Dim> scene;
     Body<Dim>& body;
-    constraint::Clamp<Dim> clamp;
+    MadeMethod<Dim> clamp;
     Stepper<Dim> stepper;
 
     explicit Clamped(double jitter, double damping = 0, double shift = 0)
         : depth((3 + shift) * spacing),
           body(scene.elastic("block", scene.lattice(blockSize(), jitter), {.damping = damping})),
-          clamp(scene.context, base(body)),
+          clamp(scene.method("type: constraint.clamp, part: " + base(body))),
           stepper(scene, body, {&clamp}) {}
 
     static std::array<int, Dim> blockSize() {
@@ -38,13 +36,14 @@ struct Clamped {
         n[0] = 9;
         return n;
     }
-    Part<Dim> base(Body<Dim>& whole) {
+    std::string base(Body<Dim>& whole) {
         scene.addPart(whole, "base", [&](const Vec<Dim>& R) { return R[0] < depth; });
         Vec<Dim> upper = Vec<Dim>::Constant(10);
         upper[0] = depth;
         whole.parts.back().shape = geometry::makeBox<Dim>(Vec<Dim>::Constant(-10), upper);
-        return scene.part("block.base");
+        return "block.base";
     }
+    auto timeStep() { return scene.timeStep("type: solid.acoustic_time_step, body: block"); }
     Field<Vec<Dim>>& vectors(const particles::FieldInfo& info) {
         return body.particles.vector(info);
     }
@@ -118,10 +117,11 @@ TEMPLATE_TEST_CASE_SIG("forces in a clamped body are those of its energy", "", (
 
 TEST_CASE("the reaction of a clamped body is its weight when it has come to rest") {
     Clamped<2> block(0, 2);
-    force::Gravity<2> gravity(block.body, Vec<2>(-10, 0));
-    solid::AcousticTimeStep<2> time_step(block.body, 0.6);
+    const auto gravity =
+        block.scene.method("type: force.gravity, body: block, acceleration: [-10, 0]");
+    const auto time_step = block.timeStep();
     while (block.stepper.clock.time < 15)
-        block.stepper.step(time_step.estimate(), {&gravity}, {&block.clamp});
+        block.stepper.step(time_step->estimate(), {&gravity}, {&block.clamp});
     Load<2> weight;
     for (std::size_t i = 0; i < block.body.size(); ++i)
         weight.add(block.body.particles.position()[i],
@@ -163,15 +163,15 @@ TEST_CASE("a clamped body moves as before when its particles change places in me
 
 TEST_CASE("what a clamp covers whole has no say in the time step") {
     Clamped<2> block(0);
-    solid::AcousticTimeStep<2> time_step(block.body, 0.6);
+    const auto time_step = block.timeStep();
     block.stepper.start();
-    const double step = time_step.estimate();
+    const double step = time_step->estimate();
     auto& gradient = block.body.particles.matrix(fields::deformation_gradient);
     for (std::size_t i = 0; i < block.body.size(); ++i)
         if (block.body.elastic().share(i) == 0) gradient[i] = Vec<2>(10, 1).asDiagonal();
-    CHECK(time_step.estimate() == step);
+    CHECK(time_step->estimate() == step);
     gradient[block.body.size() - 1] = Vec<2>(10, 1).asDiagonal();
-    CHECK(time_step.estimate() < 0.5 * step);
+    CHECK(time_step->estimate() < 0.5 * step);
 }
 
 TEST_CASE("images stand behind the surface of the clamp, in its corners behind both") {
@@ -184,8 +184,7 @@ TEST_CASE("images stand behind the surface of the clamp, in its corners behind b
     body.parts.back().shape = geometry::makeDifference<2>(
         {geometry::makeBox<2>(Vec<2>::Constant(-10), Vec<2>::Constant(10)), rest});
     const Part<2> frame = scene.part("block.frame");
-    constraint::Clamp<2> clamp(scene.context, frame);
-    clamp.announce();
+    scene.method("type: constraint.clamp, part: block.frame")->announce();
     bodies::findShares(body);
     auto& relation = scene.relations.reference(body, body);
     scene.relations.build(relation);

@@ -4,7 +4,6 @@
 
 #include "../scene/scene.h"
 #include "dynamics/solid/internal_energy.h"
-#include "dynamics/solid/update_normals.h"
 
 #include <catch2/catch.hpp>
 
@@ -244,7 +243,7 @@ TEMPLATE_TEST_CASE_SIG("normals turn with the body and stay normal to its surfac
     auto& initial = body.particles.vector(fields::initial_normal);
     for (std::size_t i = 0; i < body.size(); ++i)
         initial[i] = random.template vector<Dim>(1).normalized();
-    solid::UpdateNormals<Dim> update(body);
+    const auto update = patch.scene.method("type: solid.update_normals, body: " + body.name);
 
     const Mat<Dim> Q = rotation<Dim>(2.5, random);
     const Mat<Dim> A = Q * (Mat<Dim>::Identity() + random.template matrix<Dim>(0.3));

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/fluid/density_summation.h"
 #include "../scene/scene.h"
 #include "../scene/values.h"
 
@@ -8,7 +7,6 @@
 
 using namespace sphinx;
 using namespace sphinx::dynamics;
-using namespace sphinx::dynamics::fluid;
 using namespace sphinx::test;
 
 namespace {
@@ -38,8 +36,9 @@ struct Block : Scene<Dim> {
         upper[1] = 0;
         water.sees.push_back(&this->wall("floor", this->box(lower, upper), Face{}));
     }
-    void sumDensities(Surface surface) {
-        DensitySummation<Dim> summation(this->context, water, surface);
+    void sumDensities(const std::string& surface) {
+        const auto summation =
+            this->method("type: fluid.density_summation, body: water, surface: " + surface);
         this->relations.update({&water});
         summation.run({});
     }
@@ -68,13 +67,13 @@ TEMPLATE_TEST_CASE_SIG("density by summation over a lattice", "", ((int Dim), Di
 
     SECTION("with a free surface: (54) adds what is missing, and takes nothing away") {
         rho[inside] = 0.9 * rho0;
-        block.sumDensities(Surface::free);
+        block.sumDensities("free");
         CHECK(rho[inside] == Approx(rho0).epsilon(rounding));
         CHECK(rho[surface] == rho0);
         CHECK(rho[corner] == rho0);
         rho[surface] = 1.1 * rho0;
         rho[corner] = 0.1 * rho0;
-        block.sumDensities(Surface::free);
+        block.sumDensities("free");
         CHECK(rho[surface] == 1.1 * rho0);
         CHECK(rho[corner] == Approx(share(block.water, corner) * rho0).epsilon(rounding));
     }
@@ -84,7 +83,7 @@ TEMPLATE_TEST_CASE_SIG("density by summation over a lattice", "", ((int Dim), Di
             reference[i] = 1.05 * rho0;
             rho[i] = 1.3 * rho0;
         }
-        block.sumDensities(Surface::confined);
+        block.sumDensities("confined");
         CHECK(rho[inside] == Approx(1.05 * rho0).epsilon(rounding));
         for (const std::size_t i : {surface, corner})
             CHECK(rho[i] == Approx(share(block.water, i) * 1.05 * rho0).epsilon(rounding));
@@ -99,7 +98,7 @@ TEMPLATE_TEST_CASE_SIG("density by summation rises as volumes shrink", "", ((int
     Block<Dim> block;
     give(block.water, fields::position,
          [&](const Vec<Dim>& x) -> Vec<Dim> { return squeezed * x; });
-    block.sumDensities(Surface::free);
+    block.sumDensities("free");
     const std::size_t inside = block.at(6, 6);
     const double rho = block.rho[inside];
     CHECK(rho == Approx(share(block.water, inside) * rho0).epsilon(rounding));
@@ -113,12 +112,12 @@ TEMPLATE_TEST_CASE_SIG("density by summation at a wall", "", ((int Dim), Dim), 2
 
     SECTION("that continues the lattice is as inside") {
         block.addWall(spacing);
-        block.sumDensities(Surface::confined);
+        block.sumDensities("confined");
         CHECK(block.rho[bottom] == Approx(rho0).epsilon(rounding));
     }
     SECTION("of half the spacing counts by its volumes") {
         block.addWall(spacing / 2);
-        block.sumDensities(Surface::confined);
+        block.sumDensities("confined");
         CHECK(block.rho[bottom] == Approx(share(block.water, bottom) * rho0).epsilon(rounding));
         CHECK(block.rho[bottom] == Approx(rho0).epsilon(0.02));
     }

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "../scene/scene.h"
-#include "dynamics/fluid/acoustic_time_step.h"
-#include "dynamics/fluid/advection_time_step.h"
 
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
 
 using namespace sphinx;
 using namespace sphinx::dynamics;
-using namespace sphinx::dynamics::fluid;
 using namespace sphinx::test;
 
 namespace {
@@ -23,6 +21,10 @@ struct Moving : Scene<Dim> {
         velocity[42].setZero();
         velocity[42].template tail<2>() = Vec<2>(3, -4);
     }
+    auto advection(double reference_speed) {
+        return this->timeStep(fmt::format(
+            "type: fluid.advection_time_step, body: water, reference_speed: {}", reference_speed));
+    }
     Body<Dim>& water;
     Field<Vec<Dim>>& velocity = water.particles.vector(fields::velocity);
 };
@@ -30,34 +32,31 @@ struct Moving : Scene<Dim> {
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("acoustic time step of a fluid, guide (53)", "", ((int Dim), Dim), 2, 3) {
-    CHECK(AcousticTimeStepParameters{}.cfl == 0.6);
     Moving<Dim> scene(0.3);
-    AcousticTimeStep<Dim> step(scene.water, 0.6);
+    const auto step = scene.timeStep("type: fluid.acoustic_time_step, body: water");
     const double h = scene.water.kernel.smoothingLength();
-    CHECK(step.estimate() == Approx(0.6 * h / (10 + 5)).epsilon(1e-14));
+    CHECK(step->estimate() == Approx(0.6 * h / (10 + 5)).epsilon(1e-14));
     scene.velocity.setZero();
-    CHECK(step.estimate() == Approx(0.6 * h / 10).epsilon(1e-14));
-    AcousticTimeStep<Dim> half(scene.water, 0.3);
-    CHECK(half.estimate() == Approx(0.3 * h / 10).epsilon(1e-14));
+    CHECK(step->estimate() == Approx(0.6 * h / 10).epsilon(1e-14));
+    const auto half = scene.timeStep("type: fluid.acoustic_time_step, body: water, cfl: 0.3");
+    CHECK(half->estimate() == Approx(0.3 * h / 10).epsilon(1e-14));
 }
 
 TEMPLATE_TEST_CASE_SIG("advection time step, guide (52)", "", ((int Dim), Dim), 2, 3) {
-    CHECK(AdvectionTimeStepParameters{}.cfl == 0.25);
     // Inviscid: by the largest speed, and by that of reference where it is larger.
     Moving<Dim> inviscid(0);
     const double h = inviscid.water.kernel.smoothingLength();
-    AdvectionTimeStep<Dim> step(inviscid.water, 2, 0.25);
-    CHECK(step.estimate() == Approx(0.25 * h / 5).epsilon(1e-14));
-    CHECK(AdvectionTimeStep<Dim>(inviscid.water, 8, 0.25).estimate() ==
-          Approx(0.25 * h / 8).epsilon(1e-14));
+    const auto step = inviscid.advection(2);
+    CHECK(step->estimate() == Approx(0.25 * h / 5).epsilon(1e-14));
+    CHECK(inviscid.advection(8)->estimate() == Approx(0.25 * h / 8).epsilon(1e-14));
     inviscid.velocity.setZero();
-    CHECK(step.estimate() == Approx(0.25 * h / 2).epsilon(1e-14));
+    CHECK(step->estimate() == Approx(0.25 * h / 2).epsilon(1e-14));
 
     // Viscous: nu = mu/rho0 counts from nu = 5 h.
     for (const double share : {0.5, 2.0}) {
         const double nu = share * 5 * h;
         Moving<Dim> viscous(density * nu);
-        CHECK(AdvectionTimeStep<Dim>(viscous.water, 2, 0.25).estimate() ==
+        CHECK(viscous.advection(2)->estimate() ==
               Approx(0.25 * (share > 1 ? h * h / nu : h / 5)).epsilon(1e-14));
     }
 }

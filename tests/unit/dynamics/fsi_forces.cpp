@@ -3,10 +3,7 @@
 #include "../memory_archive.h"
 #include "../scene/scene.h"
 #include "../scene/values.h"
-#include "dynamics/fluid/pressure_relaxation.h"
-#include "dynamics/fluid/viscous_force.h"
-#include "dynamics/fsi/average_kinematics.h"
-#include "dynamics/fsi/fluid_force.h"
+#include "dynamics/fluid/solid_load.h"
 
 #include <catch2/catch.hpp>
 
@@ -47,6 +44,19 @@ struct Meeting : Scene<Dim> {
     void updateLists() { this->relations.update({fluid, solid}); }
     Vec<Dim> momentum() const { return massTimes(*fluid, fields::velocity); }
 
+    MadeMethod<Dim> pressure(const std::string& riemann) {
+        return this->method("type: fluid.pressure_relaxation, body: water, riemann: " + riemann);
+    }
+    MadeMethod<Dim> viscosity(const std::string& form) { return viscosity(this->context, form); }
+    static MadeMethod<Dim> viscosity(Context<Dim>& context, const std::string& form) {
+        return {context, "type: fluid.viscous_force, body: water, form: " + form};
+    }
+    /// What hands either on to the solid.
+    MadeMethod<Dim> handOn(const std::string& type) { return handOn(this->context, type); }
+    static MadeMethod<Dim> handOn(Context<Dim>& context, const std::string& type) {
+        return {context, "type: " + type + ", body: gate, from: water"};
+    }
+
     Body<Dim>* fluid;
     Body<Dim>* solid;
 };
@@ -62,16 +72,15 @@ Vec<Dim> sumOf(const Field<Vec<Dim>>& values) {
 
 TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that pressure takes from the fluid", "",
                        ((int Dim), Dim), 2, 3) {
-    for (const Riemann riemann : {Riemann::none, Riemann::dissipative, Riemann::low_dissipation}) {
+    for (const char* riemann : {"none", "dissipative", "low_dissipation"}) {
         Meeting<Dim> meeting;
-        PressureRelaxation<Dim> pressure(meeting.context, *meeting.fluid, riemann);
+        const auto pressure = meeting.pressure(riemann);
         auto& force = meeting.solid->particles.vector(fields::pressure_force);
-        fsi::FluidForce<Dim> load(meeting.context, *meeting.solid, *meeting.fluid,
-                                  LoadKind::pressure, force);
+        const auto load = meeting.handOn("fsi.pressure_force");
         meeting.updateLists();
         const Vec<Dim> before = meeting.momentum();
         const double dt = 1e-3;
-        pressure.firstHalf({0, dt, 0});
+        pressure.run({0, dt, 0}, "first_half");
         load.run({});
         const Vec<Dim> taken = (before - meeting.momentum()) / dt;
         CHECK(taken.norm() > 0.01);
@@ -82,24 +91,24 @@ TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that pressure takes f
 TEST_CASE(
     "of two pressure relaxations that share the time, the elastic body feels the one that acts") {
     Meeting<2> meeting;
-    PressureRelaxation<2> first(meeting.context, *meeting.fluid, Riemann::dissipative);
-    PressureRelaxation<2> second(meeting.context, *meeting.fluid, Riemann::none);
+    const auto first = meeting.pressure("dissipative");
+    const auto second = meeting.pressure("none");
     auto& force = meeting.solid->particles.vector(fields::pressure_force);
-    fsi::FluidForce<2> load(meeting.context, *meeting.solid, *meeting.fluid, LoadKind::pressure,
-                            force);
+    const auto load = meeting.handOn("fsi.pressure_force");
     meeting.updateLists();
     const double dt = 1e-3;
-    CHECK(presentLoad(meeting.context.loads, *meeting.fluid, LoadKind::pressure) == &first);
+    CHECK(presentLoad(meeting.context.loads, *meeting.fluid, LoadKind::pressure) ==
+          &first.as<SolidLoad<2>>());
     CHECK(presentLoad(meeting.context.loads, *meeting.fluid, LoadKind::viscous) == nullptr);
     double time = 0;
-    for (PressureRelaxation<2>* acting : {&first, &first, &second, &second}) {
+    for (const MadeMethod<2>* acting : {&first, &first, &second, &second}) {
         const Vec<2> before = meeting.momentum();
-        acting->firstHalf({time, dt, 0});
+        acting->run({time, dt, 0}, "first_half");
         force.setZero();  // as the loop does
         load.run({time, dt, 0});
         const Vec<2> taken = (before - meeting.momentum()) / dt;
         CHECK((taken - sumOf<2>(force)).norm() < 1e-12 * taken.norm());
-        acting->secondHalf({time, dt, 0});
+        acting->run({time, dt, 0}, "second_half");
         meeting.updateLists();
         time += dt;
     }
@@ -110,37 +119,39 @@ TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
     const auto present = [&](const Context<2>& context) {
         return presentLoad(context.loads, *meeting.fluid, LoadKind::viscous);
     };
-    using Viscous = ViscousForce<2>;
-    Viscous first(meeting.context, *meeting.fluid, WallSlip::no_slip, ViscousForm::central);
-    Viscous second(meeting.context, *meeting.fluid, WallSlip::no_slip, ViscousForm::laplacian);
+    const auto isPresent = [&](const Context<2>& context, const MadeMethod<2>& method) {
+        return present(context) == &method.as<SolidLoad<2>>();
+    };
+    const auto first = meeting.viscosity("central");
+    const auto second = meeting.viscosity("laplacian");
     meeting.updateLists();
     first.run({0, 0.1, 0});
     second.run({0.1, 0.1, 1});
-    CHECK(present(meeting.context) == &second);
+    CHECK(isPresent(meeting.context, second));
 
     Context<2> resumed{meeting.world, meeting.relations};
-    Viscous same_first(resumed, *meeting.fluid, WallSlip::no_slip, ViscousForm::central);
-    Viscous same_second(resumed, *meeting.fluid, WallSlip::no_slip, ViscousForm::laplacian);
+    const auto same_first = meeting.viscosity(resumed, "central");
+    const auto same_second = meeting.viscosity(resumed, "laplacian");
     const auto resume = [&] {
         for (const auto& [from, to] : {std::pair{&first, &same_first}, {&second, &same_second}}) {
             MemoryArchive memory;
-            from->transfer(memory);
+            (*from)->transfer(memory);
             memory.is_loading = true;
-            to->transfer(memory);
+            (*to)->transfer(memory);
         }
     };
-    CHECK(present(resumed) == &same_first);
+    CHECK(isPresent(resumed, same_first));
     resume();
-    CHECK(present(resumed) == &same_second);
+    CHECK(isPresent(resumed, same_second));
 
-    second.rest();
-    CHECK(present(meeting.context) == &first);
-    first.rest();
+    second->rest();
+    CHECK(isPresent(meeting.context, first));
+    first->rest();
     CHECK(present(meeting.context) == nullptr);
     resume();
     CHECK(present(resumed) == nullptr);
     auto& force = meeting.solid->particles.vector(fields::viscous_force);
-    fsi::FluidForce<2> load(resumed, *meeting.solid, *meeting.fluid, LoadKind::viscous, force);
+    const auto load = meeting.handOn(resumed, "fsi.viscous_force");
     meeting.updateLists();
     load.run({});
     CHECK(sumOf<2>(force).norm() == 0);
@@ -151,12 +162,11 @@ TEST_CASE("a load whose window is over pushes nothing, also after a restart") {
 
 TEMPLATE_TEST_CASE_SIG("an elastic body takes the momentum that viscosity takes from the fluid", "",
                        ((int Dim), Dim), 2, 3) {
-    for (const ViscousForm form : {ViscousForm::laplacian, ViscousForm::central}) {
+    for (const char* form : {"laplacian", "central"}) {
         Meeting<Dim> meeting;
-        ViscousForce<Dim> viscous(meeting.context, *meeting.fluid, WallSlip::no_slip, form);
+        const auto viscous = meeting.viscosity(form);
         auto& force = meeting.solid->particles.vector(fields::viscous_force);
-        fsi::FluidForce<Dim> load(meeting.context, *meeting.solid, *meeting.fluid,
-                                  LoadKind::viscous, force);
+        const auto load = meeting.handOn("fsi.viscous_force");
         meeting.updateLists();
         viscous.run({});
         load.run({});
@@ -170,17 +180,17 @@ TEST_CASE("a fluid sees the velocity of an elastic body at the end of its step")
     Meeting<2> meeting;
     ParticleSet<2>& p = meeting.solid->particles;
     p.vector(fields::average_velocity).setZero();
-    fsi::AverageKinematics<2> average(*meeting.solid);
+    const auto average = meeting.method("type: fsi.average_kinematics, body: gate");
     Clock clock;
     clock.dt = 0.1;
     const Vec<2> a(3, -2);
     // Uniformly accelerated from rest, the first step excepted, in which the mean is all there is.
     for (int step = 0; step < 3; ++step) {
-        average.begin(clock);
+        average.run(clock, "begin");
         const double begin = step * clock.dt;
         const double end = begin + clock.dt;
         p.position()[0] += 0.5 * a * (end * end - begin * begin);
-        average.end(clock);
+        average.run(clock, "end");
         if (step == 0) continue;
         CHECK((p.vector(fields::average_acceleration)[0] - a).norm() < 1e-12);
         CHECK((p.vector(fields::average_velocity)[0] - a * end).norm() < 1e-12);

@@ -1,22 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "../scene/expression.h"
 #include "../scene/stepper.h"
 #include "../scene/values.h"
-#include "dynamics/constraint/fix.h"
-#include "dynamics/force/body_force.h"
-#include "dynamics/force/gravity.h"
-#include "dynamics/force/point_force.h"
-#include "dynamics/force/spring.h"
-#include "dynamics/force/surface_pressure.h"
-#include "dynamics/force/velocity_damping.h"
-#include "dynamics/solid/acoustic_time_step.h"
 
 #include "../memory_archive.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <catch2/catch.hpp>
 
 #include <numbers>
+#include <optional>
 
 using namespace sphinx;
 using namespace sphinx::dynamics;
@@ -29,16 +23,44 @@ constexpr double round_off = 1e-13;
 /// It says what the accelerations are: their sum, and to first order in the half step that it looks
 /// ahead, their moment.
 template <int Dim>
-void checkLoad(const AppliedLoad<Dim>& method, const Body<Dim>& body) {
+void checkLoad(const MadeMethod<Dim>& method, const Body<Dim>& body) {
     const auto& acceleration = body.particles.vector(fields::external_acceleration);
     const auto& mass = body.particles.scalar(fields::mass);
     Load<Dim> given;
     for (std::size_t i = 0; i < body.size(); ++i)
         given.add(body.particles.position()[i], mass[i] * acceleration[i]);
-    const Load<Dim> told = method.load();
+    const Load<Dim> told = method.template as<AppliedLoad<Dim>>().load();
     CHECK((told.force - given.force).norm() < round_off * given.force.norm());
     CHECK((told.moment - given.moment).norm() < round_off * given.force.norm());
 }
+
+std::string pointForce(const std::vector<std::string>& force) {
+    return fmt::format("type: force.point_force, part: block.end, force: [{}]",
+                       fmt::join(force, ", "));
+}
+MadeMethod<2> weight(Scene<2>& scene, const Vec<2>& g) {
+    return scene.method(
+        fmt::format("type: force.gravity, body: block, acceleration: [{}, {}]", g[0], g[1]));
+}
+
+/// A body "block" that gravity pulls at and constraint.fix holds.
+struct Held {
+    Held(const std::vector<Vec<2>>& points, const Rubber& rubber, const Vec<2>& g)
+        : body(scene.elastic("block", points, rubber)), gravity(weight(scene, g)) {
+        scene.part(body, "top", [](const Vec<2>& R) { return R[1] > 8 * spacing; });
+    }
+    /// `part`: and what is to be said besides.
+    void fix(const std::string& part) {
+        support.emplace(scene.method("type: constraint.fix, part: " + part));
+    }
+    void step(double dt) { stepper.step(dt, {&gravity}, {&*support}); }
+
+    Scene<2> scene;
+    Body<2>& body;
+    Stepper<2> stepper{scene, body};
+    MadeMethod<2> gravity;
+    std::optional<MadeMethod<2>> support;
+};
 
 }  // namespace
 
@@ -53,7 +75,7 @@ TEMPLATE_TEST_CASE_SIG("a point force is shared without loss and moves the centr
     Stepper<Dim> stepper(scene, body);
     std::vector<std::string> texts{"3*cos(t)", "-2 + x"};
     if (Dim == 3) texts.push_back("1");
-    force::PointForce<Dim> push(end, expressions(texts, unit::force));
+    const auto push = scene.method(pointForce(texts));
 
     SECTION("shared") {
         double place = 0;
@@ -72,7 +94,7 @@ TEMPLATE_TEST_CASE_SIG("a point force is shared without loss and moves the centr
     SECTION("moves") {
         texts[0] = "3";
         texts[1] = "-2";
-        force::PointForce<Dim> constant(end, expressions(texts, unit::force));
+        const auto constant = scene.method(pointForce(texts));
         const Vec<Dim> before = centreOf(body);
         for (int k = 0; k < 200; ++k) stepper.step(1e-3, {&constant});
         const double t = stepper.clock.time;
@@ -86,9 +108,9 @@ TEST_CASE("bodies under gravity and body forces move as a point would") {
     Scene<2> scene;
     Body<2>& body = scene.elastic("block", scene.lattice(5, 0.1));
     Stepper<2> stepper(scene, body);
-    force::Gravity<2> gravity(body, Vec<2>(0, -10));
+    const auto gravity = weight(scene, {0, -10});
     CHECK(body.gravity().isZero(0));
-    gravity.announce();
+    gravity->announce();
     CHECK(body.gravity() == Vec<2>(0, -10));
     const Vec<2> before = centreOf(body);
 
@@ -98,7 +120,8 @@ TEST_CASE("bodies under gravity and body forces move as a point would") {
         CHECK((centreOf(body) - before - Vec<2>(0, -5 * t * t)).norm() < 1e-13);
     }
     SECTION("a force per mass of place and time, besides gravity") {
-        force::BodyForce<2> body_force(body, expressions({"3*y + t", "x"}, unit::acceleration));
+        const auto body_force =
+            scene.method("type: force.body_force, body: block, acceleration: [3*y + t, x]");
         stepper.clock.time = 0.25;
         stepper.step(1e-9, {&gravity, &body_force});
         for (std::size_t i = 0; i < body.size(); ++i) {
@@ -117,20 +140,20 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
     Body<Dim>& body = scene.elastic("block", scene.lattice(n));
     body.shape = geometry::makeBox<Dim>(Vec<Dim>::Zero(), Vec<Dim>::Constant(n * spacing));
     const int rows = GENERATE(1, 2);
-    const Part<Dim> top =
-        scene.part(body, "top", [&](const Vec<Dim>& R) { return R[1] > (n - rows) * spacing; });
+    scene.part(body, "top", [&](const Vec<Dim>& R) { return R[1] > (n - rows) * spacing; });
     Stepper<Dim> stepper(scene, body);
-    std::vector<std::string> texts{"0", "7"};
-    if (Dim == 3) texts.push_back("0");
-    const auto upwards = expressions(texts, unit::none);
     const double width = n * spacing;
     const double area = std::pow(width, Dim - 1);
-    const double d = rows * spacing;
+    const auto onTop = [&](const std::string& pressure) {
+        return fmt::format(
+            "type: force.surface_pressure, part: block.top, pressure: {}, thickness: {}, "
+            "normal: [0, 7{}]",
+            pressure, rows * spacing, Dim == 3 ? ", 0" : "");
+    };
 
     SECTION("at rest") {
-        force::SurfacePressure<Dim> pressure(top, expression("5 + 2*x + t", unit::pressure), d,
-                                             upwards);
-        pressure.prepare();
+        const auto pressure = scene.method(onTop("5 + 2*x + t"));
+        pressure->prepare();
         pressure.run({0.9, 0.2, 0});
         const double mean = 5 + width + 1;
         CHECK((massTimes(body, fields::external_acceleration) + mean * area * Vec<Dim>::Unit(1))
@@ -138,14 +161,15 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
         checkLoad(pressure, body);
     }
     SECTION("with the normal of the shape, away from the edges") {
-        const Part<Dim> middle = scene.part(body, "middle", [&](const Vec<Dim>& R) {
+        scene.part(body, "middle", [&](const Vec<Dim>& R) {
             bool inside = R[1] > (n - 1) * spacing;
             for (int c = 0; c < Dim; ++c)
                 inside = inside && (c == 1 || std::abs(R[c] - width / 2) < 2 * spacing);
             return inside;
         });
-        force::SurfacePressure<Dim> pressure(middle, input::FieldExpression(5), spacing, {});
-        pressure.prepare();
+        const auto pressure =
+            scene.method("type: force.surface_pressure, part: block.middle, pressure: 5");
+        pressure->prepare();
         pressure.run({});
         const double part = std::pow(4 * spacing, Dim - 1);
         CHECK(
@@ -153,14 +177,14 @@ TEMPLATE_TEST_CASE_SIG("a pressure gives its area's force, which turns and grows
             round_off);
     }
     SECTION("deformed") {
-        force::SurfacePressure<Dim> pressure(top, input::FieldExpression(5), d, upwards);
+        const auto pressure = scene.method(onTop("5"));
         const Mat<Dim> Q = rotation<Dim>(2.2, scene.random);
         Mat<Dim> stretch = Mat<Dim>::Identity();
         stretch(0, 0) = 1.5;  // along the face
         stretch(1, 1) = 0.8;  // across
         auto& F = body.particles.matrix(fields::deformation_gradient);
         for (std::size_t i = 0; i < body.size(); ++i) F[i] = Q * stretch;
-        pressure.prepare();
+        pressure->prepare();
         pressure.run({});
         const Vec<Dim> expected = -5 * 1.5 * area * Q.col(1);
         CHECK((massTimes(body, fields::external_acceleration) - expected).norm() <
@@ -177,7 +201,9 @@ TEMPLATE_TEST_CASE_SIG("spring and dashpot: period and logarithmic decrement", "
     const double omega = 40;
     const double ratio = GENERATE(0., 0.1);  // of the critical damping
     const double k = mass * omega * omega;
-    force::Spring<Dim> spring(scene.world.domain, scene.part("block"), k, 2 * ratio * mass * omega);
+    const auto spring =
+        scene.method(fmt::format("type: force.spring, part: block, stiffness: {}, damping: {}", k,
+                                 2 * ratio * mass * omega));
     // The body also trembles in itself, of which its centre must not take notice.
     auto& velocity = body.particles.vector(fields::velocity);
     Vec<Dim> mean = Vec<Dim>::Zero();
@@ -231,62 +257,57 @@ TEMPLATE_TEST_CASE_SIG("damping of the velocity: exact over any steps", "", ((in
     for (std::size_t i = 0; i < body.size(); ++i)
         velocity[i] = scene.random.template vector<Dim>(1);
     const std::vector<Vec<Dim>> before(velocity.data(), velocity.data() + body.size());
-    force::VelocityDamping<Dim> damping(body, 40);
+    const auto damping = scene.method("type: force.velocity_damping, body: block, rate: 40");
     for (const double dt : {0.01, 0.2, 0.003}) damping.run({0, dt, 0});
     for (std::size_t i = 0; i < body.size(); ++i)
         CHECK((velocity[i] - std::exp(-40 * 0.213) * before[i]).norm() < round_off);
 }
 
 TEST_CASE("the reaction of a body that is held is its weight") {
-    Scene<2> scene;
     const Vec<2> g(3, -10);
+    Held block(Scene<2>().lattice(5, 0.1), {}, g);
+    const Body<2>& body = block.body;
 
     SECTION("held as a whole: at once") {
-        Body<2>& body = scene.elastic("block", scene.lattice(5, 0.1));
-        Stepper<2> stepper(scene, body);
-        force::Gravity<2> gravity(body, g);
-        constraint::Fix<2> fix(scene.part("block"), {});
-        stepper.step(1e-3, {&gravity}, {&fix});
+        block.fix("block");
+        block.step(1e-3);
+        const MadeMethod<2>& fix = *block.support;
         Load<2> weight;
         for (std::size_t i = 0; i < body.size(); ++i)
             weight.add(body.particles.position()[i], body.particles.scalar(fields::mass)[i] * g);
         CHECK((fix.load().force + weight.force).norm() < round_off * weight.force.norm());
         CHECK((fix.load().moment + weight.moment).norm() < round_off * weight.moment.norm());
         test::MemoryArchive archive;
-        fix.transfer(archive);
-        fix.rest();
+        fix->transfer(archive);
+        fix->rest();
         CHECK(fix.load().force.isZero(0));
         archive.is_loading = true;
-        fix.transfer(archive);
+        fix->transfer(archive);
         CHECK((fix.load().moment + weight.moment).norm() < round_off * weight.moment.norm());
         for (std::size_t i = 0; i < body.size(); ++i)
             CHECK(body.particles.position()[i] ==
                   body.particles.vector(fields::initial_position)[i]);
     }
-    SECTION("hanging: when it has come to rest") {
-        // Lowest axial mode: 35 1/s, decay rate eta omega^2/(2 E) of 1.2 1/s and more.
-        Body<2>& body = scene.elastic("bar", scene.lattice({4, 10}), {.damping = 2});
-        const Part<2> top =
-            scene.part(body, "top", [](const Vec<2>& R) { return R[1] > 8 * spacing; });
-        Stepper<2> stepper(scene, body);
-        force::Gravity<2> gravity(body, Vec<2>(0, -10));
-        constraint::Fix<2> fix(top, {});
-        solid::AcousticTimeStep<2> time_step(body, 0.6);
-        while (stepper.clock.time < 15) stepper.step(time_step.estimate(), {&gravity}, {&fix});
-        CHECK(fix.load().force[1] == Approx(10 * massOf(body)).epsilon(1e-6));
-        CHECK(std::abs(fix.load().force[0]) < 1e-6 * massOf(body));
-    }
     SECTION("held along one axis: the other is free") {
-        Body<2>& body = scene.elastic("block", scene.lattice(5, 0.1));
-        Stepper<2> stepper(scene, body);
-        force::Gravity<2> gravity(body, g);
-        constraint::Fix<2> fix(scene.part("block"), {1});
-        stepper.step(1e-3, {&gravity}, {&fix});
-        CHECK(fix.load().force[0] == 0);
-        CHECK(fix.load().force[1] == Approx(10 * massOf(body)).epsilon(round_off));
+        block.fix("block, directions: [y]");
+        block.step(1e-3);
+        const Vec<2> force = block.support->load().force;
+        CHECK(force[0] == 0);
+        CHECK(force[1] == Approx(10 * massOf(block.body)).epsilon(round_off));
         // Besides gravity the stresses of some twenty neighbors, which are zero but for their
         // rounding.
         const double rounding = 20 * 2.2e-16 * youngs_modulus / (density * spacing) * 1e-3;
         CHECK(std::abs(body.particles.vector(fields::velocity)[0][0] - 3e-3) < rounding);
     }
+}
+
+TEST_CASE("the reaction of a body that hangs is its weight when it has come to rest") {
+    // Lowest axial mode: 35 1/s, decay rate eta omega^2/(2 E) of 1.2 1/s and more.
+    Held bar(Scene<2>().lattice({4, 10}), {.damping = 2}, {0, -10});
+    bar.fix("block.top");
+    const auto time_step = bar.scene.timeStep("type: solid.acoustic_time_step, body: block");
+    while (bar.stepper.clock.time < 15) bar.step(time_step->estimate());
+    const Vec<2> force = bar.support->load().force;
+    CHECK(force[1] == Approx(10 * massOf(bar.body)).epsilon(1e-6));
+    CHECK(std::abs(force[0]) < 1e-6 * massOf(bar.body));
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whoever moves particles says so by the version of their body: outputs look at any substep.
 #include "../scene/stepper.h"
-#include "dynamics/fluid/pressure_relaxation.h"
-#include "dynamics/neighbors/update.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,13 +12,14 @@ using namespace sphinx::test;
 TEST_CASE("each half of a fluid's step makes lists stale") {
     Scene<2> scene;
     Body<2>& water = scene.fluid("water", scene.lattice(5));
-    fluid::PressureRelaxation<2> relaxation(scene.context, water, fluid::Riemann::none);
+    const auto relaxation =
+        scene.method("type: fluid.pressure_relaxation, body: water, riemann: none");
     scene.relations.update({&water});
     const std::uint64_t version = water.version;
-    relaxation.firstHalf({0, 1e-3, 0});
+    relaxation.run({0, 1e-3, 0}, "first_half");
     const std::uint64_t between = water.version;
     CHECK(between > version);
-    relaxation.secondHalf({0, 1e-3, 0});
+    relaxation.run({0, 1e-3, 0}, "second_half");
     CHECK(water.version > between);
 }
 
@@ -29,10 +28,10 @@ TEST_CASE("each half of an elastic body's step makes lists stale") {
     Body<2>& body = scene.elastic("block", scene.lattice(10, 0.2));
     Stepper<2> stepper(scene, body);
     const std::uint64_t version = body.version;
-    stepper.relaxation.firstHalf({0, 1e-5, 0});
+    stepper.relaxation.run({0, 1e-5, 0}, "first_half");
     const std::uint64_t between = body.version;
     CHECK(between > version);
-    stepper.relaxation.secondHalf({0, 1e-5, 0});
+    stepper.relaxation.run({0, 1e-5, 0}, "second_half");
     CHECK(body.version > between);
 }
 
@@ -40,7 +39,7 @@ TEST_CASE("lists are stale when particles come back on the other side of a perio
     Scene<2> scene;
     Body<2>& water = scene.fluid("water", {Vec<2>(0.1, 0.5), Vec<2>(0.9, 0.5)});
     scene.repeat(0, Vec<2>(0, 0), Vec<2>(1, 1));
-    dynamics::neighbors::Update<2> update(scene.context, {&water});
+    const auto update = scene.method("type: neighbors.update, bodies: [water]");
     update.run({});
     const std::uint64_t version = water.version;
     update.run({});

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/geometry/normals_from_shape.h"
 #include "../scene/scene.h"
 #include "../scene/values.h"
 
@@ -14,14 +13,21 @@ namespace {
 
 /// A rigid box of the lattice.
 struct Block {
-    Scene<3> scene;
+    Scene<3>& scene;
     Body<3>& body;
 
-    Block(const Vec<3>& lower, const Vec<3>& upper)
-        : body(scene.wall("block", scene.box(lower, upper))) {
+    Block(Scene<3>& scene, const std::string& name, const Vec<3>& lower, const Vec<3>& upper)
+        : scene(scene), body(scene.wall(name, scene.box(lower, upper))) {
         body.shape = sphinx::geometry::makeBox(lower, upper);
     }
-    /// Finds the normals; that of the particle in the cell (x, y, z).
+    /// `joined`: with another body.
+    void findNormals(const std::string& joined = "") {
+        scene
+            .method("type: geometry.normals_from_shape, body: " + body.name + ", joined: [" +
+                    joined + "]")
+            .run({});
+    }
+    /// That of the particle in the cell (x, y, z).
     Vec<3> normal(int x, int y, int z) {
         return body.particles.vector(fields::normal)[at(x, y, z)];
     }
@@ -36,15 +42,13 @@ struct Block {
     }
 };
 
-void findNormals(Block& block, const std::vector<Body<3>*>& joined = {}) {
-    dynamics::geometry::NormalsFromShape<3>(block.body, joined).run({});
-}
-
 }  // namespace
 
 TEST_CASE("particles of an edge face both sides of it") {
-    Block block(Vec<3>(0, 0, 0), Vec<3>(0.8, 0.8, 0.8 - 0.03));  // the faces no longer tie
-    findNormals(block);
+    Scene<3> scene;
+    // The faces no longer tie.
+    Block block(scene, "block", Vec<3>(0, 0, 0), Vec<3>(0.8, 0.8, 0.8 - 0.03));
+    block.findNormals();
     const double half = std::sqrt(0.5);
     CHECK((block.normal(0, 4, 4) - Vec<3>(-1, 0, 0)).norm() < 1e-12);
     CHECK((block.normal(1, 4, 4) - Vec<3>(-1, 0, 0)).norm() < 1e-12);
@@ -56,11 +60,12 @@ TEST_CASE("particles of an edge face both sides of it") {
 }
 
 TEST_CASE("where a solid stands on another there is no surface") {
-    Block block(Vec<3>(0, 0, 0), Vec<3>(0.8, 0.8, 0.8));
-    Block floor(Vec<3>(-1, -1, -0.4), Vec<3>(2, 2, 0));
-    findNormals(block);
+    Scene<3> scene;
+    Block block(scene, "block", Vec<3>(0, 0, 0), Vec<3>(0.8, 0.8, 0.8));
+    Block floor(scene, "floor", Vec<3>(-1, -1, -0.4), Vec<3>(2, 2, 0));
+    block.findNormals();
     CHECK((block.normal(2, 4, 0) - Vec<3>(0, 0, -1)).norm() < 1e-12);
-    findNormals(block, {&floor.body});
+    block.findNormals("floor");
     for (int row = 0; row < 2; ++row) {
         const Vec<3> n = block.normal(row, 4, 0);
         CHECK(n[0] < -0.8);  // the corner between both is smoothed
@@ -68,7 +73,7 @@ TEST_CASE("where a solid stands on another there is no surface") {
         CHECK(block.depth(row, 4, 0) == Approx(row + 0.5).margin(0.4));
     }
     // The floor ends at the block: beside it, it faces up.
-    findNormals(floor, {&block.body});
+    floor.findNormals("block");
     CHECK((floor.normal(-5, 4, -1) - Vec<3>(0, 0, 1)).norm() < 1e-12);
     CHECK((floor.normal(-1, 4, -1) - Vec<3>(0, 0, 1)).norm() < 0.3);
 }

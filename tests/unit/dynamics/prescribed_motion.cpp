@@ -1,24 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/constraint/prescribed_motion.h"
-
-#include "../scene/expression.h"
 #include "../scene/stepper.h"
 #include "../scene/values.h"
 #include "dynamics/solid/derived_fields.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <catch2/catch.hpp>
 
 #include <limits>
 
 using namespace sphinx;
 using namespace sphinx::dynamics;
-using namespace sphinx::dynamics::constraint;
 using namespace sphinx::test;
 
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// `part`: and what is to be said besides. Displacements are expressions of t, x, y and z.
+std::string moved(const std::string& part, const std::vector<std::string>& displacement) {
+    return fmt::format("type: constraint.prescribed_motion, part: {}, displacement: ['{}']", part,
+                       fmt::join(displacement, "', '"));
+}
 
 }  // namespace
 
@@ -33,10 +36,10 @@ TEST_CASE("an elastic part is where its motion says after every step") {
     const auto u = [&](const Vec<2>& X, double t) -> Vec<2> {
         return {0.02 * std::sin(30 * t), 0.5 * t * X[0]};
     };
-    const auto texts = expressions({"0.02*sin(30*t)", "0.5*t*x"}, unit::length);
+    const std::vector<std::string> texts{"0.02*sin(30*t)", "0.5*t*x"};
     const bool only_y = GENERATE(false, true);
-    PrescribedSolidMotion<2> motion(scene.world, left, Motion<2>(texts),
-                                    only_y ? std::vector<int>{1} : std::vector<int>{});
+    const auto motion =
+        scene.method(moved(only_y ? "block.left, directions: [y]" : "block.left", texts));
     double other = 0;  // motion of the particles that are free, or along the free axis
     for (int k = 0; k < 200; ++k) {
         const double begin = stepper.clock.time;
@@ -64,15 +67,13 @@ TEST_CASE("what moves a body as a whole gives its mass times its acceleration") 
     Scene<3> scene;
     Body<3>& body = scene.elastic("block", scene.lattice(4, 0.1));
     Stepper<3> stepper(scene, body);
-    PrescribedSolidMotion<3> motion(
-        scene.world, scene.part("block"),
-        Motion<3>(expressions({"1.5*t^2", "0", "-2*t^2"}, unit::length)), {});
+    const auto motion = scene.method(moved("block", {"1.5*t^2", "0", "-2*t^2"}));
     const double mass = massOf(body);
     for (int k = 0; k < 20; ++k) {
         stepper.step(1e-3, {}, {&motion});
         if (k > 0) CHECK((motion.load().force - mass * Vec<3>(3, 0, -4)).norm() < 1e-9 * mass);
     }
-    CHECK(&motion.loaded() == &body);
+    CHECK(&motion.as<KnownLoad<3>>().loaded() == &body);
 }
 
 TEST_CASE("the stress of a block that is stretched") {
@@ -82,11 +83,8 @@ TEST_CASE("the stress of a block that is stretched") {
     const auto& energy = body.particles.scalar(fields::strain_energy_density);
     Stepper<3> stepper(scene, body);
     // Velocities are those of the middle of a step: F is complete once the motion has stopped.
-    PrescribedSolidMotion<3> motion(
-        scene.world, scene.part("block"),
-        Motion<3>(
-            expressions({"0.3*(t < 1 ? t : 1)*x", "-0.1*(t < 1 ? t : 1)*y", "0"}, unit::length)),
-        {});
+    const auto motion =
+        scene.method(moved("block", {"0.3*(t < 1 ? t : 1)*x", "-0.1*(t < 1 ? t : 1)*y", "0"}));
     for (int k = 0; k < 102; ++k) stepper.step(1e-2, {}, {&motion});
     solid::derive(body, fields::piola_kirchhoff_stress);
     solid::derive(body, fields::strain_energy_density);
@@ -114,10 +112,10 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
     wall.particles.vector(fields::velocity)[0] = {7, 8};
     const auto& R = wall.particles.vector(fields::initial_position);
     const Clock clock{0.5, 0.25, 0};
-    const auto texts = expressions({"3*t + 2*t^2 + y", "-t^2*x"}, unit::length);
+    const std::vector<std::string> texts{"3*t + 2*t^2 + y", "-t^2*x"};
 
     SECTION("position at the end of the step, velocity and acceleration of its middle") {
-        PrescribedWallMotion<2> motion(scene.world, scene.part("wall"), Motion<2>(texts), {});
+        const auto motion = scene.method(moved("wall", texts));
         const auto version = wall.version;
         motion.run(clock);
         CHECK(wall.version > version);
@@ -131,18 +129,18 @@ TEST_CASE("a wall that moves: what a fluid sees of it") {
             CHECK((wall.particles.vector(fields::velocity)[i] - v).norm() < 1e-13);
             CHECK((wall.particles.vector(fields::acceleration)[i] - a).norm() < 1e-12);
         }
-        motion.rest();
+        motion->rest();
         for (std::size_t i = 0; i < wall.size(); ++i) {
             CHECK(wall.particles.vector(fields::velocity)[i].norm() == 0);
             CHECK(wall.particles.vector(fields::acceleration)[i].norm() == 0);
         }
     }
     SECTION("a part, along one axis") {
-        const Part<2> end = scene.part(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
-        PrescribedWallMotion<2> motion(scene.world, end, Motion<2>(texts), {1});
+        scene.part(wall, "end", [](const Vec<2>& x) { return x[0] > 0.5; });
+        const auto motion = scene.method(moved("wall.end, directions: [y]", texts));
         motion.run(clock);
         wall.particles.vector(fields::velocity).data()[wall.size() - 1][0] = 9;
-        motion.rest();
+        motion->rest();
         CHECK(wall.particles.vector(fields::velocity)[0] == Vec<2>(7, 8));
         CHECK(wall.particles.vector(fields::velocity)[wall.size() - 1] == Vec<2>(9, 0));
         for (std::size_t i = 0; i < wall.size(); ++i) {
@@ -165,9 +163,9 @@ Body<Dim>& wallWithNormals(Scene<Dim>& scene, const Vec<Dim>& normal) {
 }
 
 template <int Dim>
-void runTo(Scene<Dim>& scene, Motion<Dim> motion, double time) {
-    PrescribedWallMotion<Dim> method(scene.world, scene.part("wall"), std::move(motion), {});
-    method.prepare();
+void runTo(Scene<Dim>& scene, const std::string& motion, double time) {
+    const auto method = scene.method(motion);
+    method->prepare();
     method.run({time - 0.01, 0.01, 0});
 }
 
@@ -177,10 +175,10 @@ TEST_CASE("a wall turns and shifts as a whole, and its normals with it") {
     Scene<2> scene;
     const Vec<2> n(0.6, 0.8);
     Body<2>& wall = wallWithNormals<2>(scene, n);
-    RotationParameters rotation;
-    rotation.about = {{0.3, -0.1}, 2};
-    rotation.angle = expression("0.5*t^2", unit::none);
-    runTo<2>(scene, Motion<2>(rotation, expressions({"t", "2*t"}, unit::length)), 1);
+    runTo(scene,
+          "type: constraint.prescribed_motion, part: wall, translation: [t, 2*t], "
+          "rotation: {about: [0.3, -0.1], angle: 0.5*t^2}",
+          1);
     Mat<2> turn;
     turn << std::cos(0.5), -std::sin(0.5), std::sin(0.5), std::cos(0.5);
     const Vec<2> about(0.3, -0.1);
@@ -200,21 +198,19 @@ TEST_CASE("a turn that is written out as a displacement turns the normals as wel
     Scene<2> scene;
     const Vec<2> n(0.6, 0.8);
     Body<2>& wall = wallWithNormals<2>(scene, n);
-    runTo<2>(scene,
-             Motion<2>(
-                 expressions({"x*cos(t) - y*sin(t) - x", "x*sin(t) + y*cos(t) - y"}, unit::length)),
-             0.7);
-    const Vec<2> turned(std::cos(0.7) * n[0] - std::sin(0.7) * n[1],
-                        std::sin(0.7) * n[0] + std::cos(0.7) * n[1]);
+    const std::vector<std::string> turn{"x*cos(t) - y*sin(t) - x", "x*sin(t) + y*cos(t) - y"};
+    runTo(scene, moved("wall", turn), 0.7);
+    const Vec<2> expected(std::cos(0.7) * n[0] - std::sin(0.7) * n[1],
+                          std::sin(0.7) * n[0] + std::cos(0.7) * n[1]);
     for (std::size_t i = 0; i < wall.size(); ++i)
-        CHECK((wall.particles.vector(fields::normal)[i] - turned).norm() < 1e-11);
+        CHECK((wall.particles.vector(fields::normal)[i] - expected).norm() < 1e-11);
 }
 
 TEST_CASE("normals of a wall that shears stay perpendicular to its surface") {
     Scene<2> scene;
     Body<2>& wall = wallWithNormals<2>(scene, Vec<2>(1, 0));
     // The surface x = const leans by the angle atan(0.5 t).
-    runTo<2>(scene, Motion<2>(expressions({"0.5*t*y", "0"}, unit::length)), 2);
+    runTo(scene, moved("wall", {"0.5*t*y", "0"}), 2);
     for (std::size_t i = 0; i < wall.size(); ++i)
         CHECK((wall.particles.vector(fields::normal)[i] - Vec<2>(1, -1).normalized()).norm() <
               1e-11);
@@ -223,11 +219,11 @@ TEST_CASE("normals of a wall that shears stay perpendicular to its surface") {
 TEST_CASE("in space a wall turns about an axis") {
     Scene<3> scene;
     Body<3>& wall = wallWithNormals<3>(scene, Vec<3>(1, 0, 0));
-    RotationParameters rotation;
-    rotation.about = {{0, 0, 0}, 3};
-    rotation.axis = input::Coordinates{{1, 1, 1}, 3};
-    rotation.angle = expression("2.09439510239319549*t", unit::none);  // a third of a turn
-    runTo<3>(scene, Motion<3>(rotation, {}), 1);
+    // A third of a turn.
+    runTo(scene,
+          "type: constraint.prescribed_motion, part: wall, "
+          "rotation: {about: [0, 0, 0], axis: [1, 1, 1], angle: 2.09439510239319549*t}",
+          1);
     for (std::size_t i = 0; i < wall.size(); ++i) {  // x becomes y, y becomes z, z becomes x
         const Vec<3>& R = wall.particles.vector(fields::initial_position)[i];
         CHECK((wall.particles.position()[i] - Vec<3>(R[2], R[0], R[1])).norm() < 4 * epsilon);
@@ -239,7 +235,7 @@ TEST_CASE("a wall that only shifts keeps its normals to the bit") {
     Scene<2> scene;
     const Vec<2> n = Vec<2>(1, 3).normalized();
     Body<2>& wall = wallWithNormals<2>(scene, n);
-    runTo<2>(scene, Motion<2>(expressions({"3*t", "t^2"}, unit::length)), 1);
+    runTo(scene, moved("wall", {"3*t", "t^2"}), 1);
     for (std::size_t i = 0; i < wall.size(); ++i)
         CHECK(wall.particles.vector(fields::normal)[i] == n);
 }
@@ -247,10 +243,7 @@ TEST_CASE("a wall that only shifts keeps its normals to the bit") {
 TEST_CASE("along an axis on which a wall does not move its normals do not turn either") {
     Scene<2> scene;
     Body<2>& wall = wallWithNormals<2>(scene, Vec<2>(1, 0));
-    PrescribedWallMotion<2> method(scene.world, scene.part("wall"),
-                                   Motion<2>(expressions({"0.5*t*y", "t"}, unit::length)), {1});
-    method.prepare();
-    method.run({1.99, 0.01, 0});
+    runTo(scene, moved("wall, directions: [y]", {"0.5*t*y", "t"}), 2);
     for (std::size_t i = 0; i < wall.size(); ++i)
         CHECK((wall.particles.vector(fields::normal)[i] - Vec<2>(1, 0)).norm() < 1e-14);
 }

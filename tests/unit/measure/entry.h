@@ -3,9 +3,8 @@
 #pragma once
 
 #include "../io/support.h"
+#include "../scene/entry.h"
 #include "../scene/outputs.h"
-#include "input/declaration/reader.h"
-#include "input/tree/yaml.h"
 #include "measure/register.h"
 
 #include <memory>
@@ -13,29 +12,12 @@
 
 namespace sphinx::test {
 
-/// An entry of `outputs` as the case file writes it: "{type: ..., ...}".
+/// An entry of `outputs`.
 class Entry {
  public:
     explicit Entry(const std::string& yaml, int dimension = 2) {
         measure::registerMeasures(registry_);
-        auto source = std::make_shared<input::Source>();
-        source->name = "case.yaml";
-        source->text = yaml;
-        input::Diagnostics diagnostics;
-        const input::Node node = input::readYaml(source, source->text, {}, diagnostics);
-        diagnostics.throwIfErrors();
-        input::Reader reader(diagnostics, registry_);
-        reader.dimension = dimension;
-        component_.name = "row";
-        component_.place = node.place;
-        component_.declaration = registry_.find(input::Kind::output, node.find("type")->text);
-        std::shared_ptr<void> parameters = component_.declaration->makeParameters();
-        input::readParameters(node, node.place, reader,
-                              {{component_.declaration, parameters.get()}}, {"type"});
-        diagnostics.throwIfErrors();
-        component_.parameters = parameters;
-        for (const auto& entry : node.entries)
-            component_.parameter_places.emplace_back(entry.key, entry.value.place);
+        component_ = readEntry(yaml, input::Kind::output, registry_, dimension);
     }
     template <int Dim>
     std::unique_ptr<Output> make(const io::OutputContext<Dim>& context) const {

@@ -4,12 +4,11 @@
 
 #include "../scene/outputs.h"
 #include "../scene/values.h"
-#include "dynamics/fluid/pressure_relaxation.h"
-#include "dynamics/fluid/viscous_force.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <optional>
 
 using namespace sphinx;
 using namespace sphinx::measure;
@@ -53,17 +52,17 @@ struct Tank : Scene<Dim> {
         particles::ParticleSet<Dim>& p = water->particles;
         for (std::size_t i = 0; i < water->size(); ++i)
             p.scalar(fields::volume)[i] = p.scalar(fields::mass)[i] / p.scalar(fields::density)[i];
-        acoustic = std::make_unique<dynamics::fluid::PressureRelaxation<Dim>>(
-            this->context, *water, dynamics::fluid::Riemann::low_dissipation);
-        viscous = std::make_unique<dynamics::fluid::ViscousForce<Dim>>(
-            this->context, *water, dynamics::fluid::WallSlip::no_slip,
-            dynamics::fluid::ViscousForm::laplacian);
+        acoustic.emplace(this->method("type: fluid.pressure_relaxation, body: water"));
+        viscous.emplace(viscosity("laplacian"));
         updateLists();
+    }
+    MadeMethod<Dim> viscosity(const std::string& form) {
+        return this->method("type: fluid.viscous_force, body: water, form: " + form);
     }
     void updateLists() { this->relations.update({water, floor, left, right}); }
     io::OutputContext<Dim> outputs() {
         io::OutputContext<Dim> context = outputContext(*this);
-        context.methods = {acoustic.get(), viscous.get()};
+        context.methods = {acoustic->get(), viscous->get()};
         return context;
     }
     /// Pressure and viscous force.
@@ -80,8 +79,8 @@ struct Tank : Scene<Dim> {
     bodies::Body<Dim>* floor;
     bodies::Body<Dim>* left;
     bodies::Body<Dim>* right;
-    std::unique_ptr<dynamics::fluid::PressureRelaxation<Dim>> acoustic;
-    std::unique_ptr<dynamics::fluid::ViscousForce<Dim>> viscous;
+    std::optional<MadeMethod<Dim>> acoustic;
+    std::optional<MadeMethod<Dim>> viscous;
 };
 
 }  // namespace
@@ -110,7 +109,7 @@ TEMPLATE_TEST_CASE_SIG("solids get exactly what the fluid loses", "", ((int Dim)
     const Vec<Dim> weight = massTimes(water, fields::external_acceleration);
     const Vec<Dim> before = massTimes(water, fields::velocity);
     const double dt = 1e-3;
-    tank.acoustic->firstHalf({0, dt, 0});
+    tank.acoustic->run({0, dt, 0}, "first_half");
     const Vec<Dim> gained = (massTimes(water, fields::velocity) - before) / dt;
     // The rest is round-off, magnified by 1/dt.
     CHECK((gained - weight + pressure).norm() < 1e-9 * largest);
@@ -153,10 +152,9 @@ TEST_CASE("moments by friction are those of the forces on the wall's particles")
     particles::Field<Vec<2>>& force = tank.floor->particles.vector(fields::viscous_force);
     const Vec<2> about(0.3, 0.2);
     const neighbors::Relation<2>& of_water = tank.relations.flow(water, *tank.floor, {});
-    for (const dynamics::fluid::ViscousForm form :
-         {dynamics::fluid::ViscousForm::laplacian, dynamics::fluid::ViscousForm::central}) {
-        dynamics::fluid::ViscousForce<2> viscous(tank.context, water,
-                                                 dynamics::fluid::WallSlip::no_slip, form);
+    for (const char* form : {"laplacian", "central"}) {
+        const MadeMethod<2> made = tank.viscosity(form);
+        const auto& viscous = made.as<dynamics::fluid::SolidLoad<2>>();
         force.setZero();
         viscous.addForces(*tank.floor, of_floor.list, force);
         dynamics::Load<2> sum;
@@ -184,7 +182,7 @@ TEST_CASE("within an advection step the force is the one that the fluid feels") 
     const Vec<2> weight = massOf(water) * water.gravity();
     const Vec<2> before = massTimes(water, fields::velocity);
     const double dt = 1e-3;
-    tank.acoustic->firstHalf({0, dt, 0});
+    tank.acoustic->run({0, dt, 0}, "first_half");
     const Vec<2> gained = (massTimes(water, fields::velocity) - before) / dt;
     CHECK((gained - weight + pressure).norm() < 1e-9 * pressure.norm());
 }

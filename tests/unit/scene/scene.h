@@ -5,6 +5,7 @@
 #include "bodies.h"
 #include "dynamics/context.h"
 #include "dynamics/part.h"
+#include "method.h"
 
 namespace sphinx::test {
 
@@ -14,6 +15,9 @@ struct Scene : Bodies<Dim> {
     neighbors::Relations<Dim> relations{this->world};
     dynamics::Context<Dim> context{this->world, relations};
 
+    /// As a case writes it: "type: force.gravity, body: block, acceleration: [0, -10]".
+    MadeMethod<Dim> method(const std::string& yaml) { return {context, yaml}; }
+    auto timeStep(const std::string& yaml) { return makeTimeStep<Dim>(context, yaml); }
     /// "gate.base", or all of a body: "gate".
     dynamics::Part<Dim> part(const std::string& name) {
         return dynamics::Part<Dim>(this->world, {name, {}});

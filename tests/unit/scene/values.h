@@ -9,6 +9,9 @@
 
 namespace sphinx::test {
 
+/// Lists hold gradients and distances as 32-bit whole numbers.
+inline constexpr double list_error = 1e-8;
+
 /// Gives every particle the value of(x) of a scalar or vector field, x being its position.
 template <int Dim, class Of>
 void give(bodies::Body<Dim>& body, const particles::FieldInfo& field, Of&& of) {

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamics/words.h"
+
+namespace sphinx::dynamics {
+
+/// What acts on the particles of an elastic body besides its stresses.
+template <int Dim>
+struct OuterForces {
+    explicit OuterForces(ParticleSet<Dim>& particles)
+        : external(particles.vector(fields::external_acceleration)),
+          pressure(particles.vector(fields::pressure_force)),
+          viscous(particles.vector(fields::viscous_force)) {}
+
+    Field<Vec<Dim>>& external;  ///< acceleration
+    Field<Vec<Dim>>& pressure;  ///< of fluids
+    Field<Vec<Dim>>& viscous;
+};
+
+}  // namespace sphinx::dynamics
