@@ -7,9 +7,14 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace sphinx {
+
+using ArchiveValue = std::variant<double, std::int64_t, bool, std::string, std::vector<double>,
+                                  std::vector<std::int64_t>>;
 
 /// One interface for saving and for loading: a stateful class has a single transfer(Archive&), so
 /// that what is written is what is read. Values are exact (bitwise) in both directions.
@@ -20,12 +25,13 @@ class Archive {
     virtual ~Archive() = default;
 
     virtual bool loading() const = 0;
-    virtual void value(std::string_view name, double& v) = 0;
-    virtual void value(std::string_view name, std::int64_t& v) = 0;
-    virtual void value(std::string_view name, bool& v) = 0;
-    virtual void value(std::string_view name, std::string& v) = 0;
-    virtual void value(std::string_view name, std::vector<double>& v) = 0;
-    virtual void value(std::string_view name, std::vector<std::int64_t>& v) = 0;
+    /// Of a type of ArchiveValue.
+    template <class T>
+    void value(std::string_view name, T& v) {
+        ArchiveValue held = v;
+        transfer(name, held);
+        v = std::get<T>(std::move(held));
+    }
 
     /// Whether the present section has a value or a section of that name; ever so when saving.
     virtual bool has(std::string_view name) const = 0;
@@ -42,6 +48,11 @@ class Archive {
             throw FileError("the saved state has " + std::to_string(v) + " " + std::string(name) +
                             ", which nothing can have");
     }
+
+ protected:
+    /// When saving it leaves the value as it is. When loading it gives one of the same type; throws
+    /// FileError when there is none.
+    virtual void transfer(std::string_view name, ArchiveValue& v) = 0;
 };
 
 /// Keeps enter and leave paired.

@@ -19,6 +19,8 @@ enum class Precision { full, single };
 
 struct FrameSettings {
     BodySelection bodies;
+
+    bool single() const { return false; }
 };
 struct NumberFrameSettings : FrameSettings {
     Precision precision = Precision::full;
@@ -49,27 +51,15 @@ void declareFrames(input::Registry& registry, const char* name, const char* summ
         }));
 }
 
-void declareVtu(input::Registry& registry) {
-    using P = NumberFrameSettings;
+/// Of frames in files of their own.
+template <template <int> class Frames, class P>
+void declareFrameFiles(input::Registry& registry, const char* name, const char* summary) {
     declareFrames<P>(
-        registry, "vtu", "Frames for ParaView: BODY_NNNNNN.vtu and one BODY.pvd a body",
+        registry, name, summary,
         []<int Dim>(const P& p, const OutputContext<Dim>& context,
                     std::vector<BodyFrames<Dim>> frames) {
-            return std::make_unique<VtuOutput<Dim>>(
-                VtuParameters{context.folder, p.single(), context.units, context.provenance},
-                std::move(frames));
-        });
-}
-
-void declareVtkHdf(input::Registry& registry) {
-    using P = NumberFrameSettings;
-    declareFrames<P>(
-        registry, "vtkhdf",
-        "Frames as one time series BODY.vtkhdf a body, for ParaView from 5.12 on",
-        []<int Dim>(const P& p, const OutputContext<Dim>& context,
-                    std::vector<BodyFrames<Dim>> frames) {
-            return std::make_unique<VtkHdfOutput<Dim>>(
-                VtkHdfParameters{context.folder, p.single(), context.units, context.provenance},
+            return std::make_unique<Frames<Dim>>(
+                FrameParameters{context.folder, p.single(), context.units, context.provenance},
                 std::move(frames));
         });
 }
@@ -83,17 +73,6 @@ void declareHdf5(input::Registry& registry) {
             return std::make_unique<Hdf5Output<Dim>>(Hdf5Parameters{p.single(), context.units},
                                                      context.results, std::move(frames));
         });
-}
-
-void declareTecplot(input::Registry& registry) {
-    using P = FrameSettings;
-    declareFrames<P>(registry, "tecplot", "Frames as Tecplot text: BODY_NNNNNN.dat",
-                     []<int Dim>(const P&, const OutputContext<Dim>& context,
-                                 std::vector<BodyFrames<Dim>> frames) {
-                         return std::make_unique<TecplotOutput<Dim>>(
-                             TecplotParameters{context.folder, context.units, context.provenance},
-                             std::move(frames));
-                     });
 }
 
 struct ProgressSettings {};
@@ -127,10 +106,14 @@ void declareRestart(input::Registry& registry) {
 }  // namespace
 
 void registerOutputs(input::Registry& registry) {
-    declareVtu(registry);
-    declareVtkHdf(registry);
+    declareFrameFiles<VtuOutput, NumberFrameSettings>(
+        registry, "vtu", "Frames for ParaView: BODY_NNNNNN.vtu and one BODY.pvd a body");
+    declareFrameFiles<VtkHdfOutput, NumberFrameSettings>(
+        registry, "vtkhdf",
+        "Frames as one time series BODY.vtkhdf a body, for ParaView from 5.12 on");
     declareHdf5(registry);
-    declareTecplot(registry);
+    declareFrameFiles<TecplotOutput, FrameSettings>(registry, "tecplot",
+                                                    "Frames as Tecplot text: BODY_NNNNNN.dat");
     declareProgress(registry);
     declareRestart(registry);
 }

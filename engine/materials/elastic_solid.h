@@ -19,7 +19,7 @@ struct Fibres {
 /// What depends on the deformation are members of the final classes, reached through withLaw()
 /// of elastic_laws.h:
 ///
-///     static constexpr bool uses_fibres;  // else `fibres` below is ignored: pass {}
+///     static constexpr bool uses_fibres = true;  // else `fibres` below is ignored: pass {}
 ///     template <int Dim, class Number = double>
 ///     MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const;
 ///     template <int Dim> double energy(const Mat<Dim>& C, const Fibres<Dim>& fibres) const;
@@ -41,6 +41,8 @@ struct Fibres {
 ///   sqrt(modulus/rho0) bounds the speed of sound against the particles' reference spacing.
 class ElasticSolid : public Material {
  public:
+    static constexpr bool uses_fibres = false;
+
     /// rho0 in mass/length^3; eta in mass/(length time).
     ElasticSolid(double density, double damping) : density_(density), damping_(damping) {}
 

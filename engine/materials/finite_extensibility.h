@@ -17,7 +17,6 @@ struct FiniteExtensibilityParameters : IsotropicParameters {
 /// that of the constants given by 2 mu/J_m.
 class FiniteExtensibility final : public IsotropicSolid {
  public:
-    static constexpr bool uses_fibres = false;
     using Parameters = FiniteExtensibilityParameters;
 
     explicit FiniteExtensibility(const Parameters& p)

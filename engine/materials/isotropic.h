@@ -28,6 +28,8 @@ struct IsotropicParameters {
 /// An isotropic solid with Lame's constants, K = lambda + 2/3 mu and G = mu.
 class IsotropicSolid : public ElasticSolid {
  public:
+    using Parameters = IsotropicParameters;
+
     explicit IsotropicSolid(const IsotropicParameters& p)
         : ElasticSolid(p.density, p.damping), lambda_(p.lambda()), mu_(p.mu()) {}
 

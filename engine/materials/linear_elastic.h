@@ -35,7 +35,6 @@ struct LinearElasticParameters {
 /// SaintVenantKirchhoff.
 class LinearElastic final : public ElasticSolid {
  public:
-    static constexpr bool uses_fibres = false;
     using Parameters = LinearElasticParameters;
 
     explicit LinearElastic(const Parameters& p);

@@ -11,10 +11,7 @@ namespace sphinx::materials {
 /// S = mu (I - C^-1) + lambda ln J C^-1.
 class NeoHookean final : public IsotropicSolid {
  public:
-    static constexpr bool uses_fibres = false;
-    using Parameters = IsotropicParameters;
-
-    explicit NeoHookean(const Parameters& p) : IsotropicSolid(p) {}
+    using IsotropicSolid::IsotropicSolid;
 
     template <int Dim, class Number = double>
     MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {

@@ -11,10 +11,7 @@ namespace sphinx::materials {
 /// rotation, but it softens under large compression.
 class SaintVenantKirchhoff final : public IsotropicSolid {
  public:
-    static constexpr bool uses_fibres = false;
-    using Parameters = IsotropicParameters;
-
-    explicit SaintVenantKirchhoff(const Parameters& p) : IsotropicSolid(p) {}
+    using IsotropicSolid::IsotropicSolid;
 
     template <int Dim, class Number = double>
     MatOf<Dim, Number> stress(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {

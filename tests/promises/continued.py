@@ -9,12 +9,17 @@ import results
 from support import Promise, Restart, last_restart, restarts
 
 ALL_RESTARTS = 1000
+CASES = ("splash_2d", "splash_3d",
+         "channel_2d",   # periodic
+         "gate_2d",      # elastic
+         "strip_2d",     # elastic, with loads and motion
+         "clamped_3d")
 
 
 class Continued(Promise):
     def resumed_equals_whole(self, name, changes):
         case = self.case(name, **changes, outputs__restart__keep=ALL_RESTARTS)
-        whole = self.folder / "whole"
+        whole = self.folder / f"{name}_whole"
         self.sphinx(case, whole)
         results.check_readable(whole)
         steps = list(restarts(whole))
@@ -22,7 +27,7 @@ class Continued(Promise):
         for step in sorted({steps[0], steps[len(steps) // 2], steps[-2], steps[-1]}):
             with self.subTest(step=step):
                 # What lies in the folder when a run dies just before it writes the next restart.
-                resumed = self.folder / f"from_{step}"
+                resumed = self.folder / f"{name}_from_{step}"
                 shutil.copytree(whole, resumed)
                 for later in steps:
                     if later > step:
@@ -38,27 +43,14 @@ class Continued(Promise):
                 # In another folder: the same physics, without the earlier frames.
                 if step == steps[-1]:
                     continue
-                elsewhere = self.folder / f"elsewhere_{step}"
+                elsewhere = self.folder / f"{name}_elsewhere_{step}"
                 self.sphinx(case, elsewhere, "--restart", restarts(whole)[step])
                 self.assert_same_physics(last_restart(elsewhere), last_restart(whole))
 
-    def test_2d(self):
-        self.resumed_equals_whole("splash_2d", {})
-
-    def test_3d(self):
-        self.resumed_equals_whole("splash_3d", {})
-
-    def test_periodic(self):
-        self.resumed_equals_whole("channel_2d", {})
-
-    def test_elastic(self):
-        self.resumed_equals_whole("gate_2d", {})
-
-    def test_elastic_with_loads_and_motion(self):
-        self.resumed_equals_whole("strip_2d", {})
-
-    def test_clamped(self):
-        self.resumed_equals_whole("clamped_3d", {})
+    def test_cases(self):
+        for name in CASES:
+            with self.subTest(case=name):
+                self.resumed_equals_whole(name, {})
 
     def test_text_encoding(self):
         self.resumed_equals_whole("splash_2d", {"outputs__restart__encoding": "text"})

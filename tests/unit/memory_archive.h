@@ -14,8 +14,7 @@
 namespace sphinx::test {
 
 /// Values by their path.
-using Saved = std::map<std::string, std::variant<double, std::int64_t, bool, std::string,
-                                                 std::vector<double>, std::vector<std::int64_t>>>;
+using Saved = std::map<std::string, ArchiveValue>;
 
 /// Keeps what is saved, and gives it back once `is_loading` is set.
 class MemoryArchive final : public Archive {
@@ -24,12 +23,6 @@ class MemoryArchive final : public Archive {
     explicit MemoryArchive(Saved s) : saved(std::move(s)), is_loading(true) {}
 
     bool loading() const override { return is_loading; }
-    void value(std::string_view name, double& v) override { transfer(name, v); }
-    void value(std::string_view name, std::int64_t& v) override { transfer(name, v); }
-    void value(std::string_view name, bool& v) override { transfer(name, v); }
-    void value(std::string_view name, std::string& v) override { transfer(name, v); }
-    void value(std::string_view name, std::vector<double>& v) override { transfer(name, v); }
-    void value(std::string_view name, std::vector<std::int64_t>& v) override { transfer(name, v); }
     bool has(std::string_view name) const override {
         return !is_loading || saved.contains(path(name)) || hasSection(name);
     }
@@ -53,13 +46,13 @@ class MemoryArchive final : public Archive {
         const auto first = saved.lower_bound(key);
         return first != saved.end() && first->first.starts_with(key);
     }
-    template <class T>
-    void transfer(std::string_view name, T& v) {
+    void transfer(std::string_view name, ArchiveValue& v) override {
         const std::string key = path(name);
         if (is_loading) {
             const auto found = saved.find(key);
             if (found == saved.end()) throw FileError("no value " + key);
-            v = std::get<T>(found->second);
+            if (found->second.index() != v.index()) throw std::bad_variant_access();
+            v = found->second;
         } else if (!saved.emplace(key, v).second) {
             throw FileError("written twice: " + key);
         }

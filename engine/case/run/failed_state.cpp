@@ -6,7 +6,7 @@ namespace sphinx::run {
 
 template <int Dim>
 void writeFailedState(const bodies::World<Dim>& world, const Clock& clock,
-                      const io::VtuParameters& parameters) {
+                      const io::FrameParameters& parameters) {
     io::makeSubfolder(parameters.folder);
     std::vector<io::BodyFrames<Dim>> frames;
     for (const auto& body : world.bodies) {
@@ -20,7 +20,7 @@ void writeFailedState(const bodies::World<Dim>& world, const Clock& clock,
     io::VtuOutput<Dim>(parameters, frames).write(clock);
 }
 
-template void writeFailedState(const bodies::World<2>&, const Clock&, const io::VtuParameters&);
-template void writeFailedState(const bodies::World<3>&, const Clock&, const io::VtuParameters&);
+template void writeFailedState(const bodies::World<2>&, const Clock&, const io::FrameParameters&);
+template void writeFailedState(const bodies::World<3>&, const Clock&, const io::FrameParameters&);
 
 }  // namespace sphinx::run

@@ -12,6 +12,6 @@ namespace sphinx::run {
 /// of a failure. Throws FileError.
 template <int Dim>
 void writeFailedState(const bodies::World<Dim>& world, const Clock& clock,
-                      const io::VtuParameters& parameters);
+                      const io::FrameParameters& parameters);
 
 }  // namespace sphinx::run

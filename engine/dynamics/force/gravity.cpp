@@ -36,10 +36,6 @@ class Gravity final : public Method {
     Field<Vec<Dim>>& external_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Of its density: what the weight of a fluid may compress it by without a word. Its equation of
 /// state is meant for a hundredth.
 constexpr double most_compression = 0.05;

@@ -60,7 +60,7 @@ std::string formatLines(const std::vector<const particles::FieldBase*>& fields,
 }  // namespace
 
 template <int Dim>
-TecplotOutput<Dim>::TecplotOutput(TecplotParameters parameters,
+TecplotOutput<Dim>::TecplotOutput(FrameParameters parameters,
                                   const std::vector<BodyFrames<Dim>>& bodies)
     : parameters_(std::move(parameters)) {
     for (const BodyFrames<Dim>& frames : bodies) {

@@ -3,17 +3,10 @@
 #pragma once
 
 #include "core/output.h"
-#include "input/expressions/units.h"
-#include "io/file/provenance.h"
 #include "io/frames/arrays.h"
+#include "io/frames/parameters.h"
 
 namespace sphinx::io {
-
-struct TecplotParameters {
-    Path folder;
-    input::UnitSystem units;
-    Provenance provenance;
-};
 
 /// Frames as Tecplot ASCII: one BODY_NNNNNN.dat a frame, with one zone in POINT format that carries
 /// SOLUTIONTIME and the STRANDID of the body, so that Tecplot joins the files to a time series.
@@ -23,7 +16,7 @@ struct TecplotParameters {
 template <int Dim>
 class TecplotOutput final : public Output {
  public:
-    TecplotOutput(TecplotParameters parameters, const std::vector<BodyFrames<Dim>>& bodies);
+    TecplotOutput(FrameParameters parameters, const std::vector<BodyFrames<Dim>>& bodies);
 
     std::vector<OutputFile> files() const override;
     void write(const Clock& clock) override;
@@ -37,7 +30,7 @@ class TecplotOutput final : public Output {
         std::string variables;
     };
 
-    TecplotParameters parameters_;
+    FrameParameters parameters_;
     std::vector<Series> series_;
     std::int64_t frames_ = 0;
 };

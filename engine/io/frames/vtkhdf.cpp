@@ -15,7 +15,7 @@ using namespace hdf5;
 template <int Dim>
 class VtkHdfOutput<Dim>::Series {
  public:
-    Series(const VtkHdfParameters& parameters, const BodyFrames<Dim>& frames)
+    Series(const FrameParameters& parameters, const BodyFrames<Dim>& frames)
         : parameters_(parameters),
           gatherer_(FieldLayout::padded, parameters.single_precision),
           body_(frames.body),
@@ -111,7 +111,7 @@ class VtkHdfOutput<Dim>::Series {
         layout_->root().setAttributes(attributesOf(parameters_.provenance));
     }
 
-    const VtkHdfParameters& parameters_;
+    const FrameParameters& parameters_;
     ArrayGatherer<Dim> gatherer_;
     const bodies::Body<Dim>* body_;
     Path path_;
@@ -121,7 +121,7 @@ class VtkHdfOutput<Dim>::Series {
 };
 
 template <int Dim>
-VtkHdfOutput<Dim>::VtkHdfOutput(VtkHdfParameters parameters, std::vector<BodyFrames<Dim>> bodies)
+VtkHdfOutput<Dim>::VtkHdfOutput(FrameParameters parameters, std::vector<BodyFrames<Dim>> bodies)
     : parameters_(std::move(parameters)) {
     for (const BodyFrames<Dim>& frames : bodies)
         series_.push_back(std::make_unique<Series>(parameters_, frames));

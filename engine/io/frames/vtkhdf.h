@@ -3,20 +3,12 @@
 #pragma once
 
 #include "core/output.h"
-#include "input/expressions/units.h"
-#include "io/file/provenance.h"
 #include "io/frames/arrays.h"
+#include "io/frames/parameters.h"
 
 #include <memory>
 
 namespace sphinx::io {
-
-struct VtkHdfParameters {
-    Path folder;
-    bool single_precision = false;
-    input::UnitSystem units;
-    Provenance provenance;
-};
 
 /// One BODY.vtkhdf a body: its frames as a time series (transient PolyData of VTKHDF 2.0, points
 /// with vertex cells) that ParaView from 5.12 on opens. An array that did not change since the last
@@ -26,7 +18,7 @@ struct VtkHdfParameters {
 template <int Dim>
 class VtkHdfOutput final : public Output {
  public:
-    VtkHdfOutput(VtkHdfParameters parameters, std::vector<BodyFrames<Dim>> bodies);
+    VtkHdfOutput(FrameParameters parameters, std::vector<BodyFrames<Dim>> bodies);
     ~VtkHdfOutput() override;
 
     std::vector<OutputFile> files() const override;
@@ -39,7 +31,7 @@ class VtkHdfOutput final : public Output {
  private:
     class Series;  // of one body
 
-    VtkHdfParameters parameters_;
+    FrameParameters parameters_;
     std::vector<std::unique_ptr<Series>> series_;
     std::int64_t frames_ = 0;
 };

@@ -153,7 +153,7 @@ struct VtuOutput<Dim>::Series {
 };
 
 template <int Dim>
-VtuOutput<Dim>::VtuOutput(VtuParameters parameters, std::vector<BodyFrames<Dim>> bodies)
+VtuOutput<Dim>::VtuOutput(FrameParameters parameters, std::vector<BodyFrames<Dim>> bodies)
     : parameters_(std::move(parameters)),
       gatherer_(FieldLayout::padded, parameters_.single_precision) {
     for (const BodyFrames<Dim>& frames : bodies) {

@@ -3,22 +3,13 @@
 #pragma once
 
 #include "core/output.h"
-#include "input/expressions/units.h"
-#include "io/file/file.h"
-#include "io/file/provenance.h"
 #include "io/frames/arrays.h"
+#include "io/frames/parameters.h"
 #include "io/frames/pvd.h"
 
 #include <memory>
 
 namespace sphinx::io {
-
-struct VtuParameters {
-    Path folder;
-    bool single_precision = false;  ///< numbers as Float32; ids stay Int64
-    input::UnitSystem units;
-    Provenance provenance;
-};
 
 /// Frames for ParaView: one BODY_NNNNNN.vtu a frame (points with vertex cells, appended raw data in
 /// zlib blocks) and one BODY.pvd with their times. A body in which nothing changed since its last
@@ -27,7 +18,7 @@ struct VtuParameters {
 template <int Dim>
 class VtuOutput final : public Output {
  public:
-    VtuOutput(VtuParameters parameters, std::vector<BodyFrames<Dim>> bodies);
+    VtuOutput(FrameParameters parameters, std::vector<BodyFrames<Dim>> bodies);
     ~VtuOutput() override;
 
     std::vector<OutputFile> files() const override;
@@ -40,7 +31,7 @@ class VtuOutput final : public Output {
 
     void writeFrame(Series& series, const particles::IdOrder& order, const Path& path, double time);
 
-    VtuParameters parameters_;
+    FrameParameters parameters_;
     ArrayGatherer<Dim> gatherer_;
     std::vector<std::unique_ptr<Series>> series_;
     std::int64_t frames_ = 0;

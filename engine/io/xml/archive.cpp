@@ -8,6 +8,7 @@
 #include "io/xml/text.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <variant>
 
@@ -39,6 +40,32 @@ std::vector<T> readArray(XmlReader& reader, const XmlElement& element, const std
     return values;
 }
 
+void appendValue(std::string& xml, std::string_view name, double v) {
+    xml += "<number " + nameAttribute(name) + ">";
+    appendExactNumber(xml, v);
+    xml += "</number>\n";
+}
+void appendValue(std::string& xml, std::string_view name, std::int64_t v) {
+    xml += "<integer " + nameAttribute(name) + ">";
+    appendInteger(xml, v);
+    xml += "</integer>\n";
+}
+void appendValue(std::string& xml, std::string_view name, bool v) {
+    xml += "<flag " + nameAttribute(name) + (v ? ">true" : ">false") + "</flag>\n";
+}
+void appendValue(std::string& xml, std::string_view name, const std::string& v) {
+    appendTextElement(xml, "text", nameAttribute(name), v);
+}
+void appendValue(std::string& xml, std::string_view name, const std::vector<double>& v) {
+    appendArray<double>(xml, "numbers", name, v);
+}
+void appendValue(std::string& xml, std::string_view name, const std::vector<std::int64_t>& v) {
+    appendArray<std::int64_t>(xml, "integers", name, v);
+}
+/// The elements of the types of ArchiveValue.
+constexpr std::array<const char*, std::variant_size_v<ArchiveValue>> elements{
+    "number", "integer", "flag", "text", "numbers", "integers"};
+
 bool readFlag(XmlReader& reader, const std::string& name) {
     const std::string text = reader.text(10);
     if (text != "true" && text != "false") reader.fail("'" + name + "' is not true or false");
@@ -69,32 +96,8 @@ std::string readTextElement(XmlReader& reader, const XmlElement& element) {
     return std::move(*bytes);
 }
 
-void XmlSaveArchive::value(std::string_view name, double& v) {
-    xml_ += "<number " + nameAttribute(name) + ">";
-    appendExactNumber(xml_, v);
-    xml_ += "</number>\n";
-}
-
-void XmlSaveArchive::value(std::string_view name, std::int64_t& v) {
-    xml_ += "<integer " + nameAttribute(name) + ">";
-    appendInteger(xml_, v);
-    xml_ += "</integer>\n";
-}
-
-void XmlSaveArchive::value(std::string_view name, bool& v) {
-    xml_ += "<flag " + nameAttribute(name) + (v ? ">true" : ">false") + "</flag>\n";
-}
-
-void XmlSaveArchive::value(std::string_view name, std::string& v) {
-    appendTextElement(xml_, "text", nameAttribute(name), v);
-}
-
-void XmlSaveArchive::value(std::string_view name, std::vector<double>& v) {
-    appendArray<double>(xml_, "numbers", name, v);
-}
-
-void XmlSaveArchive::value(std::string_view name, std::vector<std::int64_t>& v) {
-    appendArray<std::int64_t>(xml_, "integers", name, v);
+void XmlSaveArchive::transfer(std::string_view name, ArchiveValue& v) {
+    std::visit([&](const auto& value) { appendValue(xml_, name, value); }, v);
 }
 
 void XmlSaveArchive::enter(std::string_view name) {
@@ -104,9 +107,7 @@ void XmlSaveArchive::enter(std::string_view name) {
 void XmlSaveArchive::leave() { xml_ += "</section>\n"; }
 
 struct XmlLoadArchive::SectionNode {
-    using Value = std::variant<double, std::int64_t, bool, std::string, std::vector<double>,
-                               std::vector<std::int64_t>>;
-    std::map<std::string, Value, std::less<>> values;
+    std::map<std::string, ArchiveValue, std::less<>> values;
     std::map<std::string, SectionNode, std::less<>> sections;
 };
 
@@ -158,32 +159,11 @@ void XmlLoadArchive::failMissing(const std::string& kind, std::string_view name)
                     std::string(name) + "'");
 }
 
-template <class T>
-const T& XmlLoadArchive::find(const char* kind, std::string_view name) const {
+void XmlLoadArchive::transfer(std::string_view name, ArchiveValue& v) {
     const auto found = open_.back()->values.find(name);
-    const T* value = found == open_.back()->values.end() ? nullptr : std::get_if<T>(&found->second);
-    if (!value) failMissing(kind, name);
-    return *value;
-}
-
-void XmlLoadArchive::value(std::string_view name, double& v) { v = find<double>("number", name); }
-
-void XmlLoadArchive::value(std::string_view name, std::int64_t& v) {
-    v = find<std::int64_t>("integer", name);
-}
-
-void XmlLoadArchive::value(std::string_view name, bool& v) { v = find<bool>("flag", name); }
-
-void XmlLoadArchive::value(std::string_view name, std::string& v) {
-    v = find<std::string>("text", name);
-}
-
-void XmlLoadArchive::value(std::string_view name, std::vector<double>& v) {
-    v = find<std::vector<double>>("numbers", name);
-}
-
-void XmlLoadArchive::value(std::string_view name, std::vector<std::int64_t>& v) {
-    v = find<std::vector<std::int64_t>>("integers", name);
+    if (found == open_.back()->values.end() || found->second.index() != v.index())
+        failMissing(elements[v.index()], name);
+    v = found->second;
 }
 
 bool XmlLoadArchive::has(std::string_view name) const {

@@ -19,12 +19,6 @@ namespace sphinx::io {
 class XmlSaveArchive final : public Archive {
  public:
     bool loading() const override { return false; }
-    void value(std::string_view name, double& v) override;
-    void value(std::string_view name, std::int64_t& v) override;
-    void value(std::string_view name, bool& v) override;
-    void value(std::string_view name, std::string& v) override;
-    void value(std::string_view name, std::vector<double>& v) override;
-    void value(std::string_view name, std::vector<std::int64_t>& v) override;
     bool has(std::string_view) const override { return true; }
     void enter(std::string_view name) override;
     void leave() override;
@@ -33,6 +27,8 @@ class XmlSaveArchive final : public Archive {
     const std::string& xml() const { return xml_; }
 
  private:
+    void transfer(std::string_view name, ArchiveValue& v) override;
+
     std::string xml_;
 };
 
@@ -44,12 +40,6 @@ class XmlLoadArchive final : public Archive {
     ~XmlLoadArchive() override;
 
     bool loading() const override { return true; }
-    void value(std::string_view name, double& v) override;
-    void value(std::string_view name, std::int64_t& v) override;
-    void value(std::string_view name, bool& v) override;
-    void value(std::string_view name, std::string& v) override;
-    void value(std::string_view name, std::vector<double>& v) override;
-    void value(std::string_view name, std::vector<std::int64_t>& v) override;
     bool has(std::string_view name) const override;
     void enter(std::string_view name) override;
     void leave() override;
@@ -57,10 +47,9 @@ class XmlLoadArchive final : public Archive {
  private:
     struct SectionNode;
 
+    void transfer(std::string_view name, ArchiveValue& v) override;
     void read(XmlReader& reader, SectionNode& section);
     [[noreturn]] void failMissing(const std::string& kind, std::string_view name) const;
-    template <class T>
-    const T& find(const char* kind, std::string_view name) const;
 
     Path path_;
     std::unique_ptr<SectionNode> root_;

@@ -34,6 +34,44 @@ CLEAN = {
 }
 
 
+# What is wrong, the file that is added to the clean tree, its text, and the message.
+VIOLATIONS = [
+    ("include of a folder further left",
+     "engine/core/log.h", '\n#include "input/tree/node.h"\n',
+     "engine/core/log.h:2: core/ may not include input/: input/tree/node.h"),
+    ("include within a layer",
+     "engine/loop/run/output.h", '#include "io/frames/vtu.h"\n',
+     "engine/loop/run/output.h:1: loop/ may not include io/: io/frames/vtu.h"),
+    ("include within a layer has one direction",
+     "engine/bodies/part.h", '#include "neighbors/list.h"\n',
+     "engine/bodies/part.h:1: bodies/ may not include neighbors/"),
+    ("include of a room further left",
+     "engine/io/file/path.h", '#include "io/frames/vtu.h"\n',
+     "engine/io/file/path.h:1: io/file may not include io/frames: io/frames/vtu.h"),
+    ("room that is not on the map",
+     "engine/case/attic/a.h", "",
+     "engine/case/attic/a.h: case/ has no room attic"),
+    ("file outside of the rooms",
+     "engine/case/a.h", "",
+     "engine/case/a.h: case/ has no room ."),
+    ("namespace of the command line",
+     "app/main.cpp", "namespace sphinx {\n}\n",
+     "app/main.cpp:1: namespace sphinx, but the folder is no namespace"),
+    ("nested namespace in core",
+     "engine/core/a.h", "namespace sphinx {\nnamespace hidden {\n}\n}\n",
+     "engine/core/a.h:2: namespace sphinx::hidden, but the folder is sphinx"),
+    ("directive in a header",
+     "engine/io/xml/a.h", "using namespace std;\n",
+     "engine/io/xml/a.h:1: using namespace in a header"),
+    ("unknown folder",
+     "engine/misc/a.h", "",
+     "folder misc/ has no place among the layers"),
+    ("include that leads nowhere",
+     "engine/core/a.h", '#include "types.h"\n',
+     "engine/core/a.h:1: types.h is not a file of engine/ or app/"),
+]
+
+
 def check(changes):
     """Exit code and output for the clean tree with these files added or replaced."""
     with tempfile.TemporaryDirectory() as folder:
@@ -55,27 +93,10 @@ class CheckLayers(unittest.TestCase):
     def test_clean_tree_passes(self):
         self.assertEqual(check({}), (0, "12 files, no violation\n"))
 
-    def test_include_of_a_folder_further_left(self):
-        self.expect({"engine/core/log.h": '\n#include "input/tree/node.h"\n'},
-                    "engine/core/log.h:2: core/ may not include input/: input/tree/node.h")
-
-    def test_include_within_a_layer(self):
-        self.expect({"engine/loop/run/output.h": '#include "io/frames/vtu.h"\n'},
-                    "engine/loop/run/output.h:1: loop/ may not include io/: io/frames/vtu.h")
-
-    def test_include_within_a_layer_has_one_direction(self):
-        self.expect({"engine/bodies/part.h": '#include "neighbors/list.h"\n'},
-                    "engine/bodies/part.h:1: bodies/ may not include neighbors/")
-
-    def test_include_of_a_room_further_left(self):
-        self.expect({"engine/io/file/path.h": '#include "io/frames/vtu.h"\n'},
-                    "engine/io/file/path.h:1: io/file may not include io/frames: io/frames/vtu.h")
-
-    def test_room_that_is_not_on_the_map(self):
-        self.expect({"engine/case/attic/a.h": ""}, "engine/case/attic/a.h: case/ has no room attic")
-
-    def test_file_outside_of_the_rooms(self):
-        self.expect({"engine/case/a.h": ""}, "engine/case/a.h: case/ has no room .")
+    def test_violations(self):
+        for what, name, text, message in VIOLATIONS:
+            with self.subTest(what):
+                self.expect({name: text}, message)
 
     def test_library_of_another_folder(self):
         for include in ("tbb/parallel_for.h", "yaml-cpp/yaml.h", "muParser.h", "nlohmann/json.hpp",
@@ -105,30 +126,11 @@ class CheckLayers(unittest.TestCase):
                 self.expect({f"engine/{name}": f"\nnamespace {namespace} {{\n}}\n"},
                             f"engine/{name}:2: namespace {namespace}, but the folder is {wanted}\n")
 
-    def test_namespace_of_the_command_line(self):
-        self.expect({"app/main.cpp": "namespace sphinx {\n}\n"},
-                    "app/main.cpp:1: namespace sphinx, but the folder is no namespace")
-
-    def test_nested_namespace_in_core(self):
-        self.expect({"engine/core/a.h": "namespace sphinx {\nnamespace hidden {\n}\n}\n"},
-                    "engine/core/a.h:2: namespace sphinx::hidden, but the folder is sphinx")
-
     def test_namespace_behind_another(self):
         self.expect({"engine/bodies/a.h": "namespace sphinx::bodies {\n"
                                           "}  // namespace sphinx::bodies\n"
                                           "namespace sphinx::io {\n}  // namespace sphinx::io\n"},
                     "engine/bodies/a.h:3: namespace sphinx::io, but the folder is sphinx::bodies")
-
-    def test_directive_in_a_header(self):
-        self.expect({"engine/io/xml/a.h": "using namespace std;\n"},
-                    "engine/io/xml/a.h:1: using namespace in a header")
-
-    def test_unknown_folder(self):
-        self.expect({"engine/misc/a.h": ""}, "folder misc/ has no place among the layers")
-
-    def test_include_that_leads_nowhere(self):
-        self.expect({"engine/core/a.h": '#include "types.h"\n'},
-                    "engine/core/a.h:1: types.h is not a file of engine/ or app/")
 
     def test_tree_without_sources(self):
         with tempfile.TemporaryDirectory() as folder:

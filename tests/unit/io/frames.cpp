@@ -88,13 +88,13 @@ TEST_CASE("outputs of frames say what they write, and how much") {
     check(VtuOutput<2>({{}, true, {}, {}}, frames), "water_*.vtu", single);
     check(VtkHdfOutput<2>({{}, false, {}, {}}, frames), "water.vtkhdf", 8 * numbers);
     check(Hdf5Output<2>({true, {}}, results, frames), "results.h5:bodies/water", single);
-    check(TecplotOutput<2>({{}, {}, {}}, frames), "water_*.dat", 20 * numbers);
+    check(TecplotOutput<2>({{}, false, {}, {}}, frames), "water_*.dat", 20 * numbers);
 }
 
 TEST_CASE("VTU frames behind the resumed state are dropped, and numbers go on") {
     TemporaryFolder folder;
     auto body = makeBody<2>("water", 5);
-    const VtuParameters parameters{folder.path(), false, {}, {}};
+    const FrameParameters parameters{folder.path(), false, {}, {}};
     VtuOutput<2> first(parameters, {{body.get(), {}}});
     const SavedState saved = writeFramesFrom(first, *body, 2, 5);
     File::create(folder / "water_000005.vtu.tmp").write("unfinished");
@@ -131,7 +131,7 @@ TEST_CASE("Tecplot frames behind the resumed state are dropped") {
     TemporaryFolder folder;
     auto body = makeBody<2>("water", 5);
     auto empty = makeBody<2>("air", 0);
-    const TecplotParameters parameters{folder.path(), {}, {{{"commit", "a\"b"}}}};
+    const FrameParameters parameters{folder.path(), false, {}, {{{"commit", "a\"b"}}}};
     TecplotOutput<2> first(parameters, {{body.get(), {}}, {empty.get(), {}}});
     const SavedState saved = writeFramesFrom(first, *body, 1, 3);
     TecplotOutput<2> second(parameters, {{body.get(), {}}});
@@ -177,7 +177,7 @@ TEST_CASE("HDF5 frames behind the resumed state are dropped") {
 TEST_CASE("a VTKHDF file with other fields is kept beside the new one") {
     TemporaryFolder folder;
     auto body = makeBody<2>("water", 5);
-    const VtkHdfParameters parameters{folder.path(), false, {}, {}};
+    const FrameParameters parameters{folder.path(), false, {}, {}};
     VtkHdfOutput<2> first(parameters, {{body.get(), {"pressure"}}});
     const SavedState saved = writeFramesFrom(first, *body, 2, 3);
     VtkHdfOutput<2> second(parameters, {{body.get(), {"velocity"}}});
@@ -195,7 +195,7 @@ TEST_CASE("a VTKHDF file with other fields is kept beside the new one") {
 TEST_CASE("results files are not overwritten, and foreign ones not continued") {
     TemporaryFolder folder;
     auto body = makeBody<2>("water", 5);
-    const VtkHdfParameters parameters{folder.path(), false, {}, {}};
+    const FrameParameters parameters{folder.path(), false, {}, {}};
     File::create(folder / "water.vtkhdf").write(std::string(100, 'x'));
     VtkHdfOutput<2> output(parameters, {{body.get(), {}}});
     CHECK_THROWS_WITH(output.write(clockOf(0)), Catch::Contains("it exists already"));

@@ -34,14 +34,14 @@ struct Frames {
         makeFolder(folder);
         const input::UnitSystem units;
         const auto add = [&](auto output) { outputs.push_back(std::move(output)); };
-        add(std::make_unique<VtuOutput<Dim>>(VtuParameters{folder, single, units, provenance},
+        add(std::make_unique<VtuOutput<Dim>>(FrameParameters{folder, single, units, provenance},
                                              bodies));
-        add(std::make_unique<VtkHdfOutput<Dim>>(VtkHdfParameters{folder, single, units, provenance},
+        add(std::make_unique<VtkHdfOutput<Dim>>(FrameParameters{folder, single, units, provenance},
                                                 bodies));
         add(std::make_unique<Hdf5Output<Dim>>(
             Hdf5Parameters{single, units},
             std::make_shared<ResultsFile>(folder / "results.h5", provenance), bodies));
-        add(std::make_unique<TecplotOutput<Dim>>(TecplotParameters{folder, units, provenance},
+        add(std::make_unique<TecplotOutput<Dim>>(FrameParameters{folder, false, units, provenance},
                                                  bodies));
     }
     void write(int frame) {

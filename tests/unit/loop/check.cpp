@@ -39,8 +39,7 @@ TEST_CASE("a layer overshoots only where its parent can follow") {
         CHECK(found(facts).empty());
     }
     SECTION("after another layer") {
-        facts.plan.outermost.steps.push_back({elastic});
-        CHECK(found(facts) ==
+        CHECK(foundWith(facts, {elastic}) ==
               Messages{"30 error layer elastic overshoots and would leave layer acoustic behind, "
                        "which has covered the same step before it: put elastic first"});
     }
@@ -79,8 +78,7 @@ TEST_CASE("a field is read before anything wrote it") {
     }
     SECTION("it is written later in the loop") {
         facts.plan.start.pop_back();
-        facts.plan.outermost.steps.push_back({lines.normals});
-        CHECK(found(facts) ==
+        CHECK(foundWith(facts, {lines.normals}) ==
               Messages{"22 error pressure_relaxation.first_half reads normal of wall before "
                        "wall_normals has written it: call wall_normals earlier, or in start"});
     }
@@ -120,7 +118,7 @@ TEST_CASE("a field is read before anything wrote it") {
                        "method that computes it first"});
     }
     SECTION("it is content with what the step has written") {
-        facts.plan.outermost.steps.push_back({line(14, "force", {write("water", "force")})});
+        append(facts, {line(14, "force", {write("water", "force")})});
         look(facts, read("water", "force"));
         CHECK(found(facts).empty());
     }
@@ -165,14 +163,12 @@ TEST_CASE("accumulated fields that spoil each other") {
                        "reads it before layer acoustic zeroes it again"});
     }
     SECTION("added after the last reader") {
-        facts.plan.outermost.steps.push_back({viscosity});
-        CHECK(found(facts) ==
+        CHECK(foundWith(facts, {viscosity}) ==
               Messages{"24 warning viscosity adds to external_acceleration of water, but nothing "
                        "reads it before layer advection zeroes it again"});
     }
     SECTION("never read") {
-        const Call load = line(24, "load", {add("gate", "force")});
-        facts.plan.outermost.steps.push_back({load});
+        append(facts, {line(24, "load", {add("gate", "force")})});
         CHECK(found(facts) ==
               Messages{"24 warning load adds to force of gate, but nothing reads it before layer "
                        "advection zeroes it again"});
@@ -198,7 +194,7 @@ TEST_CASE("accumulated fields that spoil each other") {
         acoustic.steps.insert(acoustic.steps.begin(), {viscosity});
         Layer beside{"beside", {}, 1.0, Fit::split, {{viscosity}, {lines.first_half}}, 50};
         facts.plan.outermost.steps[1] = {beside};
-        facts.plan.outermost.steps.push_back({lines.neighbors});
+        append(facts, {lines.neighbors});
         CHECK(found(facts).empty());
     }
 }

@@ -70,9 +70,7 @@ TEST_CASE("lists that are stale where up-to-date ones are needed") {
     SECTION("because another body of the list moves") {
         facts.bodies.push_back({"gate", true, {}});
         facts.lists.push_back({"water", "gate", false});
-        const Call swing = line(26, "swing", {write("gate", "position")});
-        facts.plan.outermost.steps.push_back({swing});
-        CHECK(found(facts) ==
+        CHECK(foundWith(facts, {line(26, "swing", {write("gate", "position")})}) ==
               Messages{"12 error density_summation needs up-to-date neighbors of water, but swing "
                        "has moved gate since they were built: call neighbors between the two"});
     }
@@ -85,7 +83,7 @@ TEST_CASE("lists of the reference configuration do not go stale") {
     facts.plan.start.push_back(line(3, "gate_lists", {write("gate", "neighbors")}));
     const Call stress =
         line(26, "stress", {read("gate", "fresh_neighbors"), write("gate", "position")});
-    facts.plan.outermost.steps.push_back({stress});
+    append(facts, {stress});
     CHECK(found(facts).empty());
     facts.lists.back().reference_configuration = false;
     CHECK(found(facts) == Messages{"26 error stress moves gate, but no line of the loop updates "
@@ -110,8 +108,7 @@ TEST_CASE("sorting makes lists invalid") {
     }
     SECTION("of bodies that see the sorted one, reference configuration included") {
         facts.lists.push_back({"gauge", "water", true});
-        facts.plan.outermost.steps.push_back(
-            {line(42, "gauge", {read("gauge", "fresh_neighbors")}, {}, true)});
+        append(facts, {line(42, "gauge", {read("gauge", "fresh_neighbors")}, {}, true)});
         CHECK(found(facts).empty());
         facts.plan.outermost.steps.insert(facts.plan.outermost.steps.end() - 1,
                                           {line(34, "sort_again", {}, {"water"})});

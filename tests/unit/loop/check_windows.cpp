@@ -116,7 +116,7 @@ TEST_CASE("lists that are updated in a part of the time only") {
     CHECK(found(facts) ==
           Messages{"22 error pressure_relaxation.first_half moves water, but at times from 1 no "
                    "line of the loop updates the neighbors of water: call neighbors after it"});
-    facts.plan.outermost.steps.push_back({limited(lines.neighbors, 1.0, {})});
+    append(facts, {limited(lines.neighbors, 1.0, {})});
     CHECK(found(facts).empty());
 }
 
@@ -144,6 +144,6 @@ TEST_CASE("a field that is read in a part of the time only is live in all of it"
     LoopFacts facts = lines.facts();
     facts.plan.start.push_back(line(3, "mark", {write("wall", "mark")}));
     const Call look = line(15, "look", {read("wall", "mark")});
-    facts.plan.outermost.steps.push_back({limited(look, 1.0, 2.0)});
+    append(facts, {limited(look, 1.0, 2.0)});
     CHECK(liveFields(facts).at("wall").count("mark") == 1);
 }

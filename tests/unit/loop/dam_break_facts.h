@@ -82,9 +82,13 @@ struct DamBreak {
     }
 };
 
-/// A last line of the loop, which only looks, now and then.
+/// A last line of the loop, or a layer there.
+inline void append(LoopFacts& facts, Step last) {
+    facts.plan.outermost.steps.push_back(std::move(last));
+}
+/// One that only looks, now and then.
 inline void look(LoopFacts& facts, dynamics::FieldAccess access) {
-    facts.plan.outermost.steps.push_back({line(41, "look", {std::move(access)}, {}, true)});
+    append(facts, {line(41, "look", {std::move(access)}, {}, true)});
 }
 
 /// "id severity message" of each issue.
@@ -98,5 +102,11 @@ inline std::vector<std::string> found(const LoopFacts& facts) {
 }
 
 using Messages = std::vector<std::string>;
+
+/// With one more line at the end.
+inline Messages foundWith(LoopFacts facts, Step last) {
+    append(facts, std::move(last));
+    return found(facts);
+}
 
 }  // namespace sphinx::loop::fake

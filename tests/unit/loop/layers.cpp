@@ -14,6 +14,16 @@ using namespace sphinx;
 using namespace sphinx::loop;
 using namespace sphinx::loop::fake;
 
+namespace {
+
+/// So many steps of a layer that has no parent.
+void stepFreely(const Layer& outer, int steps) {
+    LayerRun run(outer, 0);
+    for (int k = 0; k < steps; ++k) run.stepFreely();
+}
+
+}  // namespace
+
 TEST_CASE("lines run in order, each with the clock of its own layer") {
     Journal journal;
     Recorder a("a", journal), b("b", journal), c("c", journal);
@@ -180,8 +190,7 @@ TEST_CASE("every: steps of the outermost layer, counted with the one under way")
     Journal journal;
     Recorder sort("sort", journal);
     const Layer outer = fixedLayer("outer", 1, {every("sort", sort, eachSteps(3))});
-    LayerRun run(outer, 0);
-    for (int k = 0; k < 7; ++k) run.stepFreely();
+    stepFreely(outer, 7);
     CHECK(journal == Journal{{"sort", 2, 1, 2}, {"sort", 5, 1, 5}});
 }
 
@@ -193,8 +202,7 @@ TEST_CASE("every: in an inner layer, by outermost steps, own steps, and time") {
                    {every("a", a, eachSteps(2)), every("b", b, eachSteps(6, "inner")),
                     every("c", c, eachTime(1.5))});
     const Layer outer = fixedLayer("outer", 1, {{inner}});
-    LayerRun run(outer, 0);
-    for (int k = 0; k < 2; ++k) run.stepFreely();
+    stepFreely(outer, 2);
     CHECK(journal == Journal{{"outer steps", 1, 0.25, 4},  // first substep of the second step
                              {"own steps", 1.25, 0.25, 5},
                              {"time", 1.25, 0.25, 5}});

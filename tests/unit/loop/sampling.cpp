@@ -32,6 +32,18 @@ Outcome toTheEnd(Runner& runner) {
     return runAll(runner, [](const Clock&) { return std::nullopt; });
 }
 
+/// An output that samples a layer and is the only one of its plan.
+struct Mean {
+    explicit Mean(const std::string& layer) : row("row", journal, layer) {}
+    Plan of(double end_time, Layer outermost, std::optional<Trigger> when = {}) {
+        return planUntil(end_time, std::move(outermost),
+                         {{"mean", "observe", &row, std::move(when), false}});
+    }
+
+    Journal journal;
+    Sampling row;
+};
+
 }  // namespace
 
 TEST_CASE("an output that samples does so after every step, before anything is written") {
@@ -91,40 +103,34 @@ TEST_CASE("an inner layer is sampled at the end of each of its substeps, with it
 }
 
 TEST_CASE("a substep that a layer inside it lengthens is sampled with the length it took") {
-    Journal journal;
-    Sampling mean("row", journal, "middle");
-    Plan plan = planUntil(
+    Mean mean("middle");
+    Plan plan = mean.of(
         1,
         fixedLayer("outer", 1,
                    {{fixedLayer("middle", 0.5, {{fixedLayer("inner", 0.375, {}, Fit::overshoot)}},
-                                Fit::overshoot)}}),
-        {{"mean", "observe", &mean, {}, false}});
+                                Fit::overshoot)}}));
     Runner runner(plan);
     toTheEnd(runner);
-    CHECK(journal == Journal{{"row", 0, 0, 0},
-                             {"sample middle", 0.75, 0.75, 1},
-                             {"sample middle", 1.5, 0.75, 2},
-                             {"row", 1.5, 1.5, 1}});
+    CHECK(mean.journal == Journal{{"row", 0, 0, 0},
+                                  {"sample middle", 0.75, 0.75, 1},
+                                  {"sample middle", 1.5, 0.75, 2},
+                                  {"row", 1.5, 1.5, 1}});
 }
 
 TEST_CASE("a layer to sample must exist") {
-    Journal journal;
-    Sampling mean("row", journal, "acustic");
-    const Plan plan =
-        planUntil(0, fixedLayer("outer", 1, {}), {{"mean", "observe", &mean, {}, false}});
-    CHECK_THROWS_WITH(Runner(plan), "loop: output mean: no layer acustic to sample");
+    Mean mean("acustic");
+    CHECK_THROWS_WITH(Runner(mean.of(0, fixedLayer("outer", 1, {}))),
+                      "loop: output mean: no layer acustic to sample");
 }
 
 TEST_CASE("what an output samples inside of the loop is counted as its time alone") {
-    Journal journal;
-    Sampling mean("row", journal, "inner");
-    mean.on_sample = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+    Mean mean("inner");
+    mean.row.on_sample = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
     // A busy machine may make the loop, which does nothing, wait as long as the samples: the least
     // of some runs counts.
     double loop_seconds = 1, line_seconds = 1, inner_seconds = 1;
     for (int run = 0; run < 5; ++run) {
-        Plan plan = planUntil(1, fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}}),
-                              {{"mean", "observe", &mean, {}, false}});
+        Plan plan = mean.of(1, fixedLayer("outer", 1, {{fixedLayer("inner", 0.25, {})}}));
         Runner runner(plan);
         toTheEnd(runner);
         const Profile profile = runner.profile();
