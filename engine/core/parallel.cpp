@@ -8,7 +8,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#include <cerrno>
 #include <memory>
+#include <string>
+#include <system_error>
 
 namespace sphinx {
 namespace {
@@ -24,6 +27,18 @@ Pool& pool() {
     return instance;
 }
 
+/// Where the system has no more of them that is told here, and not in the midst of a step.
+void startThreads() {
+    const int threads = pool().threads;
+    try {
+        detail::runRanges(
+            static_cast<std::size_t>(threads), 1, [](void*, std::size_t, std::size_t) {}, nullptr);
+    } catch (const std::exception&) {
+        throw std::system_error(EAGAIN, std::generic_category(),
+                                "cannot start " + std::to_string(threads) + " threads");
+    }
+}
+
 }  // namespace
 
 void setThreadCount(int threads) {
@@ -37,6 +52,7 @@ void setThreadCount(int threads) {
             tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(p.threads));
         p.arena = std::make_unique<tbb::task_arena>(p.threads);
         p.arena->initialize();
+        startThreads();
     }
 }
 

@@ -10,7 +10,8 @@
 
 namespace sphinx {
 
-/// Sets the number of threads that loops use from now on; 0 means all of the machine.
+/// Sets the number of threads that loops use from now on; 0 means all of the machine. Throws
+/// std::system_error where the system gives no more threads.
 void setThreadCount(int threads);
 int threadCount();
 

@@ -250,6 +250,18 @@ class CannotWrite(Promise):
                 self.assertRegex(said, rf"^error: .*{reason}\n$")
         hidden.chmod(0o755)
 
+    def test_no_more_threads(self):
+        nobody = self.as_nobody
+        if not nobody:
+            self.skipTest("who runs this has processes of his own")
+        output = self.folder / "threads"
+        self.folder.chmod(0o777)
+        said = self.sphinx(self.case_file, output, threads=4, expect=4, **nobody,
+                           preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_NPROC, (1, 1)))
+        self.assertEqual(said, "error: the system refuses what the program needs: cannot start 4 threads: "
+                               "Resource temporarily unavailable\n")
+        self.assertFalse(output.exists())
+
     def test_without_standard_files(self):
         # The first files that it opens must not get their numbers.
         output = self.folder / "out"
