@@ -92,6 +92,12 @@ class Checked(Promise):
         case = {**BLOCK, "domain": {"upper": [1.5, 1.2]}}
         self.assertRegex(self.check(case), r"\ndomain: \(-1, -1\) m to \(1\.5, 1\.2\) m\n")
 
+    def test_tables_may_begin_with_a_byte_order_mark(self):
+        (self.folder / "points.csv").write_text("\ufeff0.5, 0.5\n0.25, 0.5\n", encoding="utf-8")
+        case = {**BLOCK, "bodies": {**BLOCK["bodies"], "probe": {"kind": "observer", "points": {"file": "points.csv"}}},
+                "topology": {"water": ["self"], "probe": ["water"]}}
+        self.assertIn("  probe: 2 particles", self.check(case))
+
     def test_the_first_language_is_told(self):
         case = {**BLOCK, "sphinx": 1, "geometry": {"block": {"box": {"lower": [0.05, 0], "upper": [1.05, 1]}}}}
         self.assertRegex(self.check(case), r"warning: since version 2 of the language a lattice whose points would "

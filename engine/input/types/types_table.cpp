@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "core/characters.h"
 #include "core/errors.h"
 #include "core/read_file.h"
 #include "input/declaration/reader.h"
@@ -103,6 +104,7 @@ class TableType final : public TypeBase {
         const std::size_t columns = columnCount(reader);
         const std::string name = shownName(node);
         std::string_view rest = text;
+        if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
         for (int line = 1; !rest.empty(); ++line) {
             const std::size_t end = std::min(rest.find('\n'), rest.size());
             std::string_view row = rest.substr(0, end);
