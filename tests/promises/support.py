@@ -22,7 +22,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 REPOSITORY = FOLDER.parents[1]
 SPHINX = os.environ.get("SPHINX", str(REPOSITORY / "build/release/sphinx"))
 # Far more than any run here needs, however busy the machine: nothing may hang.
-SECONDS = 300
+SECONDS = int(os.environ.get("PATIENCE", "300"))
 
 
 def load_case(name):
