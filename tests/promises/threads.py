@@ -32,7 +32,8 @@ class Threads(Promise):
 
     def test_elastic(self):
         self.same_for_all_threads(
-            "gate_2d", {"variables__refined": 3, "variables__spacing": 0.025, "loop__end_time": 0.15}, "gate")
+            "gate_2d", {"variables__refined": 3, "variables__spacing": 0.025, "loop__end_time": 0.15,
+                        "materials__rubber__youngs_modulus": 400}, "gate")
 
     def test_elastic_with_loads_and_motion(self):
         size = {"variables__spacing": 0.008, "variables__width": 0.4, "variables__length": 1.2}

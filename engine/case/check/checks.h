@@ -25,8 +25,9 @@ template <int Dim>
 void checkOverlap(const model::Case& model, const bodies::World<Dim>& world,
                   input::Diagnostics& diagnostics);
 
-/// Elastic bodies, with those bonded to them, do not reach across a periodic side of the domain:
-/// their particles would be neighbors of those at the other end, a whole domain away.
+/// Elastic bodies have two rows of particles at least, and rows enough to bend as they would. With
+/// those bonded to them, they do not reach across a periodic side of the domain: their particles
+/// would be neighbors of those at the other end, a whole domain away.
 template <int Dim>
 void checkElastic(const model::Case& model, const bodies::World<Dim>& world,
                   input::Diagnostics& diagnostics);

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check/checks.h"
 
+#include "case/check/rows.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sphinx::check {
 
@@ -34,6 +37,21 @@ void checkRows(const model::Body& source, const bodies::Body<Dim>& body, const V
     }
 }
 
+/// Few rows of particles bend otherwise than the body would.
+template <int Dim>
+void checkBending(const model::Body& source, const bodies::Body<Dim>& body,
+                  input::Diagnostics& diagnostics) {
+    constexpr double tolerated = 0.1;
+    const std::size_t rows = rowsAcross(body);
+    if (rows < 2) return;  // an error, or no beam
+    const double error = bendingError(rows, body);
+    if (std::abs(error) <= tolerated) return;
+    diagnostics.warning(source.place,
+                        fmt::format("{} has {}: a finer spacing, or 'spacing' or 'level' in "
+                                    "bodies.{}.resolution, makes more rows",
+                                    body.name, bendingText(rows, error), body.name));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -44,6 +62,7 @@ void checkElastic(const model::Case& model, const bodies::World<Dim>& world,
         const bodies::Body<Dim>& body = *world.find(source.name);
         const Vec<Dim> extent = extentOf(body);
         checkRows(source, body, extent, world, diagnostics);
+        checkBending(source, body, diagnostics);
         for (int axis = 0; axis < Dim; ++axis) {
             if (!world.domain.periodic[axis]) continue;
             const double gap = world.domain.bounds.size()[axis] - extent[axis];

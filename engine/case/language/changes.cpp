@@ -4,6 +4,7 @@
 
 #include "case/language/phases.h"
 #include "dynamics/constraint/prescribed_motion.h"
+#include "dynamics/solid/hourglass_rule.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -43,6 +44,26 @@ std::vector<input::Place> turnsOfWalls(const model::Case& model) {
     return places;
 }
 
+/// Methods whose hourglass control acts.
+std::vector<input::Place> hourglassControls(const model::Case& model) {
+    std::vector<input::Place> places;
+    for (const input::Component& method : model.dynamics) {
+        const auto* p = method.find<dynamics::solid::StressRelaxationParameters>();
+        if (p && p->hourglass_control && model.calls(method.name)) places.push_back(method.place);
+    }
+    return places;
+}
+
+/// Elastic bodies whose smoothing ratio is the default.
+std::vector<input::Place> elasticWithoutRatio(const model::Case& model) {
+    std::vector<input::Place> places;
+    if (model.resolution.smoothing_ratio) return places;
+    for (const model::Body& body : model.bodies)
+        if (body.role == bodies::Role::elastic && !body.resolution.smoothing_ratio)
+            places.push_back(body.place);
+    return places;
+}
+
 }  // namespace
 
 std::span<const LanguageChange> languageChanges() {
@@ -51,6 +72,11 @@ std::span<const LanguageChange> languageChanges() {
          "frames hold the particles in the order of their ids, not in that of the memory, which "
          "particles.sort changes"},
         {2, true, turnsOfWalls, "the normals of a rigid body turn with its prescribed motion"},
+        {2, true, hourglassControls,
+         "the hourglass control of elastic bodies has the whole shear modulus as its stiffness, "
+         "not a half (2D) or a third (3D) of it"},
+        {2, true, elasticWithoutRatio,
+         "the default smoothing_ratio of elastic bodies is 0.85, not 1.3"},
     };
     return changes;
 }

@@ -3,6 +3,7 @@
 #include "case/language/changes.h"
 #include "case/language/read.h"
 #include "case/language/types.h"
+#include "case/model/smoothing.h"
 #include "input/declaration/reader.h"
 #include "input/expressions/expression_parser.h"
 
@@ -65,7 +66,10 @@ void declareResolution(Registry& registry) {
     d.required("spacing", &P::spacing, number(unit::length).above(0),
                "reference distance of neighboring particles dp");
     d.optional("smoothing_ratio", &P::smoothing_ratio, number(unit::none).atLeast(0.8).atMost(4),
-               "smoothing length h / dp");
+               fmt::format("smoothing length h / dp of all bodies that state none; default: {} of "
+                           "elastic bodies, {} of others",
+                           model::defaultSmoothingRatio(bodies::Role::elastic),
+                           model::defaultSmoothingRatio(bodies::Role::fluid)));
     d.optional("kernel", &P::kernel, kernel(registry), "smoothing kernel");
 }
 
@@ -106,7 +110,8 @@ void declareBody(Registry& registry) {
         d.optional("spacing", &P::spacing, number(unit::length).above(0),
                    "the spacing itself, instead of a level");
         d.optional("smoothing_ratio", &P::smoothing_ratio,
-                   number(unit::none).atLeast(0.8).atMost(4), "h / dp; default: that of the case");
+                   number(unit::none).atLeast(0.8).atMost(4),
+                   "h / dp; default: that of the case (resolution.smoothing_ratio)");
         d.optional(
             "origin", &P::origin, coordinates(unit::length),
             "a point that faces of lattice cells meet; default: the origin of coordinates (half a "

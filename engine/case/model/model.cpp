@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/model/model.h"
 
+#include "case/model/smoothing.h"
+
 #include <cmath>
 
 namespace sphinx::model {
@@ -18,7 +20,8 @@ double Body::spacing(const Resolution& reference) const {
 }
 
 double Body::smoothingRatio(const Resolution& reference) const {
-    return resolution.smoothing_ratio.value_or(reference.smoothing_ratio);
+    if (resolution.smoothing_ratio) return *resolution.smoothing_ratio;
+    return reference.smoothing_ratio.value_or(defaultSmoothingRatio(role));
 }
 
 namespace {

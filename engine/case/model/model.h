@@ -29,8 +29,8 @@ using input::Name;
 using input::Place;
 
 struct Resolution {
-    double spacing = 0;            ///< reference spacing dp, length
-    double smoothing_ratio = 1.3;  ///< h / dp
+    double spacing = 0;                     ///< reference spacing dp, length
+    std::optional<double> smoothing_ratio;  ///< h / dp; without: that of smoothing.h
     kernels::KernelType kernel = kernels::KernelType::wendland_c2;
 };
 

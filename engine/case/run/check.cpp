@@ -7,6 +7,7 @@
 #include "case/build/loop_facts.h"
 #include "case/build/outputs.h"
 #include "case/build/world.h"
+#include "case/check/rows.h"
 #include "case/run/simulation.h"
 #include "core/sum_all.h"
 #include "materials/elastic_solid.h"
@@ -112,6 +113,13 @@ std::string latticeText(const build::PlacedLattice<Dim>& placed) {
     return text;
 }
 
+/// What its rows of particles make of its bending.
+template <int Dim>
+std::string bendingText(const bodies::Body<Dim>& body) {
+    const std::size_t rows = check::rowsAcross(body);
+    return check::bendingText(rows, check::bendingError(rows, body));
+}
+
 /// Writes of the whole run, with those at the start and at the end.
 std::optional<double> writes(const model::Case& model, const input::Every& every) {
     const double span = model.loop.end_time - model.loop.start_time;
@@ -184,6 +192,7 @@ CheckReport check(const model::Case& model) {
                            world->quantityText(body->kernel.smoothingLength(), unit::length),
                            massText(*world, *body),
                            lattice == lattices.end() ? "" : latticeText(lattice->second));
+        if (body->isElastic()) out += "    " + bendingText(*body) + '\n';
     }
     out += fmt::format("domain: {} to {}\n", world->placeText(world->domain.bounds.lower),
                        world->placeText(world->domain.bounds.upper));

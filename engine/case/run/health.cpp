@@ -71,7 +71,12 @@ Extremes extremes(const bodies::Body<Dim>& body) {
 }  // namespace
 
 template <int Dim>
-Health<Dim>::Health(const bodies::World<Dim>& world, const loop::LoopFacts& facts) : world_(world) {
+Health<Dim>::Health(bodies::World<Dim>& world, neighbors::Relations<Dim>& relations,
+                    const loop::LoopFacts& facts)
+    : world_(world) {
+    for (auto& body : world.bodies)
+        if (body->isElastic() && body->particles.find(fields::deformation_gradient.name))
+            orders_.emplace_back(world, relations, *body);
     collectWriters(facts.plan.outermost, last_writer_);
     remember();
 }
@@ -127,6 +132,7 @@ void Health<Dim>::check(const Clock& clock) {
                 world_.quantityText(clock.time, unit::time), body->name, 100 * e.density / rho0));
         }
     }
+    for (auto& order : orders_) order.check(clock);
     if (clock.steps % steps_between_places == 0) remember();
 }
 

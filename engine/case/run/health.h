@@ -4,6 +4,7 @@
 
 #include "bodies/world.h"
 #include "core/clock.h"
+#include "dynamics/solid/neighbor_order.h"
 #include "loop/flow/facts.h"
 
 #include <map>
@@ -13,11 +14,13 @@
 namespace sphinx::run {
 
 /// Looks at the particles after every outermost step: stops a run in which a number stopped being
-/// one, and warns once per body of speeds and densities that the method is not made for.
+/// one or neighbors in an elastic body change places, and warns once per body of speeds and
+/// densities that the method is not made for.
 template <int Dim>
 class Health {
  public:
-    Health(const bodies::World<Dim>& world, const loop::LoopFacts& facts);
+    Health(bodies::World<Dim>& world, neighbors::Relations<Dim>& relations,
+           const loop::LoopFacts& facts);
 
     /// Throws PhysicsError that names particles, position, method and time.
     void check(const Clock& clock);
@@ -40,6 +43,7 @@ class Health {
     [[noreturn]] void fail(const bodies::Body<Dim>& body, const Clock& clock) const;
 
     const bodies::World<Dim>& world_;
+    std::vector<dynamics::solid::NeighborOrder<Dim>> orders_;  // of the elastic bodies
     std::map<std::string, Last> last_;
     std::map<std::pair<std::string, std::string>, std::string> last_writer_;  // by body and field
     std::map<std::string, bool> warned_speed_;

@@ -48,7 +48,7 @@ void Simulation<Dim>::prepare() {
     runner_ = std::make_unique<loop::Runner>(std::move(plan));
     if (resuming()) restore();
     methods_->prepare();
-    health_.emplace(*world_, placed_.facts);
+    health_.emplace(*world_, *relations_, placed_.facts);
 }
 
 template <int Dim>

@@ -71,7 +71,7 @@ Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body, bool hourg
 
 template <int Dim>
 void Deformation<Dim>::announce() {
-    body_->elastic().hourglass_modulus = hourglass_control_ ? solid_->shearModulus() / Dim : 0;
+    body_->elastic().hourglass_modulus = hourglass_control_ ? solid_->shearModulus() : 0;
 }
 
 template <int Dim>

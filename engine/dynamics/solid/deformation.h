@@ -17,17 +17,17 @@ template <int Dim>
 class Deformation {
  public:
     /// With hourglass control also the energy 1/2 c sum_j k_ij abs(r_ij - F_i R_ij)^2 per volume of
-    /// what F_i does not see of its neighbors' motion, k_ij = abs(W'_ij)/R_ij V_j, c = mu/Dim. F_i
-    /// is the very F that minimises it, so its force is that of springs between pairs, -c k_ij (2
-    /// r_ij - (F_i + F_j) R_ij), and comes from an energy that no rotation changes. c is what the
-    /// bonds' own deformation gradients F_i + (r_ij - F_i R_ij) (x) R_ij/R_ij^2 would give to
-    /// second order, the shear part of the acoustic tensor alone: no parameter. Where a clamp
-    /// covers a part of a particle, all of its energy counts by its share s_i
-    /// (ElasticRole::shares). For initialize() alone it does not matter.
+    /// what F_i does not see of its neighbors' motion, k_ij = abs(W'_ij)/R_ij V_j, c = mu. F_i is
+    /// the very F that minimises it, so its force is that of springs between pairs, -c k_ij (2 r_ij
+    /// - (F_i + F_j) R_ij), and comes from an energy that no rotation changes. As sum_j k_ij R_ij
+    /// (x) R_ij = I inside of a body, the shear energy mu/2 tr F^T F of a neo-Hookean law is then
+    /// the springs' alone, and F_i is left with the change of volume: the pair-wise shear of Wu,
+    /// Zhang, Tang & Hu 2024, doi:10.1016/j.jcp.2024.113072, here with an energy, for any law, and
+    /// without a factor to fit. Where a clamp covers a part of a particle, all of its energy counts
+    /// by its share s_i (ElasticRole::shares). For initialize() alone it does not matter.
     ///
-    /// Without it a particle sees its neighbors only through F, and rows of particles decouple: the
-    /// first mode of a plate ten particles thick between fixed blocks is 5.8 % too slow at a
-    /// smoothing ratio of 1.15, with it 4.1 % (3.5 % at 0.95).
+    /// Without it a particle sees its neighbors only through F, and rows of particles decouple.
+    /// Errors with it, also for other c: README.md.
     Deformation(Context<Dim>& context, Body<Dim>& body, bool hourglass_control);
 
     Body<Dim>& body() const { return *body_; }

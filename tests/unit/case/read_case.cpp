@@ -151,7 +151,7 @@ TEST_CASE("The resolved case says where values come from, and is stable") {
     const model::Case c = read(dam_break);
     const std::string shown = run::showCase(c);
     CHECK(std::regex_search(shown, std::regex("sound_speed: 20 +# case.yaml:17")));
-    CHECK(std::regex_search(shown, std::regex("smoothing_ratio: 1.3 +# default")));
+    CHECK(std::regex_search(shown, std::regex("start_time: 0 +# default")));
     CHECK(std::regex_search(shown, std::regex("wave: 2 +# case.yaml:5")));  // still used
     CHECK(shown.find("spacing: 0.5 cm") == std::string::npos);
 

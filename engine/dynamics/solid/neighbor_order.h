@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/clock.h"
+#include "dynamics/words.h"
+
+#include <string>
+#include <vector>
+
+namespace sphinx::dynamics::solid {
+
+/// Watches whether the nearest neighbors within an elastic body keep their order. Of their distance
+/// r_ij the deformation gradients foretell F_ij R_ij, F_ij = (F_i + F_j)/2, and do not see the
+/// rest. Where the rest is longer than the distance itself, r_ij . F_ij R_ij <= 0, the particles
+/// have changed places in the deformed body, and what F and the stress say of it is wrong, also
+/// where det F is still positive. (A motion that F does see, however large, changes no places.)
+template <int Dim>
+class NeighborOrder {
+ public:
+    NeighborOrder(const World<Dim>& world, Relations<Dim>& relations, Body<Dim>& body);
+
+    /// Throws PhysicsError that names the particles, their place and the time.
+    void check(const Clock& clock);
+
+ private:
+    struct Pair {
+        Index i, j;
+        Vec<Dim> distance;  // R_ij
+    };
+    void findPairs();
+    [[noreturn]] void fail(const Pair& pair, const Clock& clock) const;
+
+    const World<Dim>* world_;
+    Body<Dim>* body_;
+    ReferenceRelation<Dim>* relation_;
+    Relations<Dim>* relations_;
+    std::vector<Pair> pairs_;
+    std::uint64_t arrangement_ = ~std::uint64_t{0};  // of the particles when they were found
+};
+
+extern template class NeighborOrder<2>;
+extern template class NeighborOrder<3>;
+
+}  // namespace sphinx::dynamics::solid
