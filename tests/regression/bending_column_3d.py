@@ -17,9 +17,9 @@ REFERENCE = (2.974, 0.457, -0.892)
 UNIFORM = (3.946, 0.388, -1.573, 0.901)
 
 # Errors at 4 and 8 particles across: README.md.
-LIMITS = {4: (0.10, 0.08, 0.21), 8: (0.036, 0.02, 0.07)}
-UNIFORM_LIMITS = {4: (0.09, 0.09, 0.25, 0.10), 8: (0.04, 0.04, 0.11, 0.04)}
-# Of all energy; measured 2.5e-5 and 7e-6, after the blow of a uniform start 2.6e-4 and 1.1e-4.
+LIMITS = {4: (0.05, 0.02, 0.10), 8: (0.022, 0.01, 0.04)}
+UNIFORM_LIMITS = {4: (0.05, 0.035, 0.13, 0.055), 8: (0.03, 0.03, 0.07, 0.03)}
+# Of all energy; measured 2.7e-5 at 4 across, after the blow of a uniform start 3.5e-4.
 ENERGY_LIMIT = 1e-4
 UNIFORM_ENERGY_LIMIT = 5e-4
 
