@@ -71,10 +71,21 @@ Kernel<Dim>::Kernel(KernelType type, double h, double spacing)
 
 template <int Dim>
 double Kernel<Dim>::latticeSum() const {
+    return latticeSum(static_cast<int>(std::ceil(cutoff() / spacing_)));
+}
+
+template <int Dim>
+double Kernel<Dim>::surfaceSum() const {
+    return latticeSum(0);
+}
+
+/// Over the rows up to that one.
+template <int Dim>
+double Kernel<Dim>::latticeSum(int last_row) const {
     const int n = static_cast<int>(std::ceil(cutoff() / spacing_));
     double sum = 0;
     for (int k = Dim == 3 ? -n : 0; k <= (Dim == 3 ? n : 0); ++k)
-        for (int j = -n; j <= n; ++j)
+        for (int j = -n; j <= last_row; ++j)
             for (int i = -n; i <= n; ++i)
                 sum += value(spacing_ * std::sqrt(static_cast<double>(i * i + j * j + k * k)));
     return sum;

@@ -118,6 +118,9 @@ class Kernel {
     /// Sum of W over the points of an infinite square (cubic) lattice of that spacing, itself
     /// included: the sum of W0 in guide (54).
     double latticeSum() const;
+    /// The same over the points on one side of a row (a plane) of the lattice, that row included:
+    /// what a particle of the outermost row of a flat surface has.
+    double surfaceSum() const;
     /// What the gradients in lists of moving particles are multiplied by, near 1: it makes the sum
     /// over neighbors exact for a linear field, sum_j V_j r_ij (x) grad W = -I, in the densest
     /// arrangement (hexagonal, face-centred cubic), to which a fluid relaxes. Without it the
@@ -130,6 +133,8 @@ class Kernel {
     double laplacianFactor() const { return laplacian_factor_; }
 
  private:
+    double latticeSum(int last_row) const;
+
     KernelType type_ = KernelType::wendland_c2;
     double h_ = 1;
     double spacing_ = 1;

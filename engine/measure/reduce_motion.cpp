@@ -53,12 +53,16 @@ std::unique_ptr<io::SeriesSource> sums(std::vector<io::SeriesQuantity> quantitie
         });
 }
 
-/// sum of m e(rho)
+/// sum of m e(rho). Where a fluid bears no tension its density below that of zero pressure is a
+/// void, which holds no energy.
 template <int Dim>
-double fluidEnergy(const Motion<Dim>& motion, const particles::Field<double>& density) {
+double fluidEnergy(const Motion<Dim>& motion, const particles::Field<double>& density,
+                   const particles::Field<double>* slack) {
+    const double rho0 = motion.body->fluid().material->density();
     return materials::withLaw(*motion.body->fluid().material, [&](const auto& law) {
         return sumAll(motion.body->size(), [&](std::size_t i) {
-            return motion.mass(i) * law.internalEnergy(density[i]);
+            const bool is_void = slack && (*slack)[i] > 0 && density[i] < rho0;
+            return is_void ? 0 : motion.mass(i) * law.internalEnergy(density[i]);
         });
     });
 }
@@ -74,6 +78,8 @@ std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduc
     const std::string energy = reduced.units.text(unit::energy);
     const Motion<Dim> motion(reduced);
     const auto* density = &require<double>(reduced, fields::density);
+    const auto* slack = dynamic_cast<const particles::Field<double>*>(
+        reduced.body->particles.find(fields::slack.name));
     neighbors::Relations<Dim>* relations = reduced.relations;
     return std::make_unique<ReduceSource>(
         std::vector<io::SeriesQuantity>{
@@ -85,7 +91,7 @@ std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduc
              "sum of V W(F), with its hourglass control",
              {}},
             {"total", energy, "kinetic + potential + internal", {}}},
-        [motion, density, relations](std::span<double> row) {
+        [motion, density, slack, relations](std::span<double> row) {
             bodies::Body<Dim>& body = *motion.body;
             const Vec<Dim> g = body.gravity();
             const auto sum = sumAll(body.size(), [&](std::size_t i) {
@@ -93,7 +99,7 @@ std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduc
                                              -motion.mass(i) * g.dot((*motion.x)[i])};
             });
             std::copy(sum.begin(), sum.end(), row.begin());
-            row[2] = body.isFluid() ? fluidEnergy(motion, *density)
+            row[2] = body.isFluid() ? fluidEnergy(motion, *density, slack)
                                     : dynamics::solid::internalEnergy(body, *relations);
             row[3] = row[0] + row[1] + row[2];
         });

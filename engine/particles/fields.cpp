@@ -14,6 +14,7 @@ const std::vector<const FieldInfo*>& all() {
         &density,
         &density_rate,
         &reference_density,
+        &slack,
         &pressure,
         &average_pressure,
         &acceleration,

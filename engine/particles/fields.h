@@ -30,6 +30,10 @@ inline constexpr FieldInfo density_rate{"density_rate", Rank::scalar, unit::dens
 inline constexpr FieldInfo reference_density{"reference_density", Rank::scalar, unit::density,
                                              "density at the start, for confined flows",
                                              initial_value::sameAs(density)};
+inline constexpr FieldInfo slack{"slack", Rank::scalar, unit::none,
+                                 "1 where a fluid with a free surface bears no tension: at its "
+                                 "surface and at walls; else 0",
+                                 initial_value::zero};
 inline constexpr FieldInfo pressure{"pressure", Rank::scalar, unit::pressure, "pressure",
                                     initial_value::given};
 inline constexpr FieldInfo average_pressure{"average_pressure", Rank::scalar, unit::pressure,

@@ -4,6 +4,7 @@
 
 #include "case/language/phases.h"
 #include "dynamics/constraint/prescribed_motion.h"
+#include "dynamics/fluid/density_summation.h"
 #include "dynamics/solid/hourglass_rule.h"
 
 #include <fmt/format.h>
@@ -64,6 +65,17 @@ std::vector<input::Place> elasticWithoutRatio(const model::Case& model) {
     return places;
 }
 
+/// Densities of fluids with a free surface by summation.
+std::vector<input::Place> sumsWithFreeSurface(const model::Case& model) {
+    std::vector<input::Place> places;
+    for (const input::Component& method : model.dynamics) {
+        const auto* p = method.find<dynamics::fluid::DensitySummationParameters>();
+        if (p && p->surface == dynamics::fluid::Surface::free && model.calls(method.name))
+            places.push_back(method.placeOf("surface"));
+    }
+    return places;
+}
+
 }  // namespace
 
 std::span<const LanguageChange> languageChanges() {
@@ -77,6 +89,9 @@ std::span<const LanguageChange> languageChanges() {
          "not a half (2D) or a third (3D) of it"},
         {2, true, elasticWithoutRatio,
          "the default smoothing_ratio of elastic bodies is 0.85, not 1.3"},
+        {2, true, sumsWithFreeSurface,
+         "a fluid with a free surface bears no tension at walls and where it has no support, and "
+         "inside its density by summation is corrected in both directions, little at a time"},
     };
     return changes;
 }

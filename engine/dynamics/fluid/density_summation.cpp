@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "dynamics/fluid/density_summation.h"
+
+#include "core/aligned.h"
 #include "core/parallel.h"
 #include "dynamics/methods.h"
 #include "materials/fluid.h"
@@ -10,57 +13,130 @@
 namespace sphinx::dynamics::fluid {
 namespace {
 
-enum class Surface { free, confined };
+/// Of the difference from the sum, in each call.
+constexpr double correction = 0.02;
 
-/// Re-initialisation of the density by summation, guide (54) and (55):
-///   free:     rho_i = max(rho_i, rho0 S_i/S0)
-///   confined: rho_i = rho_i(start) S_i/S0, so that an initial pressure is kept
-/// S_i = W(0) + sum_j W_ij over the fluid and the solids it sees; a neighbor of another spacing
-/// counts with V_j0/V_i0. S0 is the sum over the full lattice of the body.
-struct DensitySummationParameters {
-    input::Name body;
-    Surface surface = Surface::free;
-};
-
-/// What the neighbors in one body add to S_i, each of them.
 template <int Dim>
-struct Term {
-    const Relation<Dim>* relation;
-    double weight;
+class DensitySummation final : public Method {
+ public:
+    DensitySummation(Context<Dim>& context, const DensitySummationParameters& p);
+
+    void run(const Clock& clock);
+    std::size_t workSize() const override { return body_->size(); }
+
+ private:
+    /// What the neighbors in one body add to S_i, each of them.
+    struct Term {
+        const Relation<Dim>* relation;
+        double weight;
+    };
+
+    void runFree();
+    double freeDensity(std::size_t i);
+    double share(std::size_t i) const;
+    bool seesSolid(std::size_t i) const;
+    bool isInside(std::size_t i) const;
+
+    Body<Dim>* body_;
+    double rho0_;
+    double own_;          // W(0)
+    double lattice_sum_;  // S0
+    double least_share_;  // of S0 that a particle with support has
+    double cell_;         // volume of a particle of the lattice
+    std::vector<Term> terms_;
+    const Relation<Dim>* self_ = nullptr;
+    Field<double>& mass_;
+    Field<double>& density_;
+    Field<double>& slack_;
+    Field<double>* reference_ = nullptr;  // confined
+    AlignedVector<double> share_;         // S/S0, filled anew in every call
 };
+
+template <int Dim>
+DensitySummation<Dim>::DensitySummation(Context<Dim>& context, const DensitySummationParameters& p)
+    : body_(&bodyOf(context, p.body)),
+      rho0_(body_->fluid().material->density()),
+      own_(body_->kernel.value(0)),
+      lattice_sum_(body_->kernel.latticeSum()),
+      least_share_(0.5 + 0.5 * body_->kernel.surfaceSum() / lattice_sum_),
+      cell_(std::pow(body_->spacing, Dim)),
+      mass_(body_->particles.scalar(fields::mass)),
+      density_(body_->particles.scalar(fields::density)),
+      slack_(body_->particles.scalar(fields::slack)) {
+    Body<Dim>& body = *body_;
+    if (p.surface == Surface::confined)
+        reference_ = &body.particles.scalar(fields::reference_density);
+    for (Body<Dim>* other : body.sees) {
+        terms_.push_back({&context.relations.flow(body, *other, {.kernel_sum = true}),
+                          std::pow(other->spacing / body.spacing, Dim)});
+        if (other == &body) self_ = terms_.back().relation;
+    }
+}
+
+template <int Dim>
+void DensitySummation<Dim>::run(const Clock&) {
+    if (!reference_) return runFree();
+    parallelFor(body_->size(), [&](std::size_t i) { density_[i] = (*reference_)[i] * share(i); });
+}
+
+template <int Dim>
+void DensitySummation<Dim>::runFree() {
+    share_.resize(body_->held());
+    parallelFor(body_->size(), [&](std::size_t i) { share_[i] = share(i); });
+    parallelFor(body_->size(), [&](std::size_t i) { density_[i] = freeDensity(i); });
+}
+
+template <int Dim>
+double DensitySummation<Dim>::freeDensity(std::size_t i) {
+    const double rho = density_[i];
+    const bool was_slack = slack_[i] > 0;
+    const bool at_solid = seesSolid(i);
+    const bool supported = share_[i] >= least_share_;
+    slack_[i] = at_solid || !supported;
+    const bool alone = !at_solid && self_->list.ranges[i].count == 0;
+    if (alone) return rho0_;
+    if (!at_solid && (was_slack || !supported)) return std::max(rho, rho0_);
+    const double sum = mass_[i] / cell_ * share_[i];
+    if (!isInside(i)) return std::max(rho, sum);
+    // At a solid a sum below rho0 tells a gap, not tension.
+    const double right = at_solid && sum < rho0_ ? std::clamp(rho, sum, rho0_) : sum;
+    return rho + correction * (right - rho);
+}
+
+/// S_i/S0: how much of its neighborhood the particle has.
+template <int Dim>
+double DensitySummation<Dim>::share(std::size_t i) const {
+    double sum = own_;
+    for (const Term& term : terms_) sum += term.weight * term.relation->list.kernel_sum[i];
+    return sum / lattice_sum_;
+}
+
+template <int Dim>
+bool DensitySummation<Dim>::seesSolid(std::size_t i) const {
+    return std::any_of(terms_.begin(), terms_.end(), [&](const Term& term) {
+        return term.relation != self_ && term.relation->list.kernel_sum[i] > 0;
+    });
+}
+
+/// None of its neighbors lacks support: no surface cuts off a part of its own neighborhood.
+template <int Dim>
+bool DensitySummation<Dim>::isInside(std::size_t i) const {
+    double least = share_[i];
+    for (const auto& block : self_->list.of(i))
+        for (const std::uint32_t j : block.index) least = std::min(least, share_[j]);
+    return least >= least_share_;
+}
 
 }  // namespace
 
 void declareDensitySummation(input::Registry& registry) {
     using P = DensitySummationParameters;
-    auto& d = declareBodyMethod<P>(
-        registry, "fluid.density_summation",
-        []<int Dim>(const P& p, Body<Dim>& body, Context<Dim>& context) {
-            std::vector<Term<Dim>> terms;
-            for (Body<Dim>* other : body.sees)
-                terms.push_back({&context.relations.flow(body, *other, {.kernel_sum = true}),
-                                 std::pow(other->spacing / body.spacing, Dim)});
-            auto& density = body.particles.scalar(fields::density);
-            const bool free = p.surface == Surface::free;
-            const Field<double>* reference =
-                free ? nullptr : &body.particles.scalar(fields::reference_density);
-            const double rho0 = body.fluid().material->density();
-            return [&, terms, free, reference, rho0, own = body.kernel.value(0),
-                    lattice_sum = body.kernel.latticeSum()](const Clock&) {
-                parallelRanges(body.size(), [&](std::size_t begin, std::size_t end) {
-                    for (std::size_t i = begin; i < end; ++i) {
-                        double sum = own;
-                        for (const Term<Dim>& term : terms)
-                            sum += term.weight * term.relation->list.kernel_sum[i];
-                        const double ratio = sum / lattice_sum;
-                        density[i] =
-                            free ? std::max(density[i], rho0 * ratio) : (*reference)[i] * ratio;
-                    }
-                });
-            };
-        });
+    auto& d = declareMethod<DensitySummation, P>(registry, "fluid.density_summation");
     d.summary("Density from the sum of the kernel over the neighbors");
-    d.formula("guide (54) free: max(rho, rho0 S/S0); (55) confined: rho(start) S/S0");
+    d.formula(
+        "free: rho += (m/V0 S/S0 - rho)/50 where no surface cuts off a part of S, else guide (54): "
+        "max(rho, m/V0 S/S0), and no tension without support or at solids; (55) confined: "
+        "rho(start) S/S0");
     d.cite("guide", "(54), (55)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.optional("surface", &P::surface,
@@ -71,8 +147,8 @@ void declareDensitySummation(input::Registry& registry) {
                "whether the fluid has a free surface");
     d.trait("sums_over_itself");
     d.action()
-        .reads("body", {"density", "reference_density", "fresh_neighbors"})
-        .writes("body", {"density"});
+        .reads("body", {"density", "reference_density", "mass", "slack", "fresh_neighbors"})
+        .writes("body", {"density", "slack"});
 }
 
 }  // namespace sphinx::dynamics::fluid

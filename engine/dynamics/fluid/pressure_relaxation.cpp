@@ -36,6 +36,9 @@ namespace {
 /// Solid neighbors are walls of dummy particles, one-sided Riemann problem along the wall's normal
 /// n (turned towards the fluid): the ghost has the mirrored normal velocity (free slip) and the
 /// pressure p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij).
+///
+/// Where the fluid is slack (fields::slack) it has the pressure and the volume of max(rho, rho0),
+/// and a wall's p* is not negative: nothing pulls it.
 struct PressureRelaxationParameters {
     input::Name body;
     Riemann riemann = Riemann::low_dissipation;
@@ -81,6 +84,7 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     Field<double>& volume_;
     Field<double>& density_;
     Field<double>& density_rate_;
+    Field<double>& slack_;
     Field<double>& pressure_;
 
     // Filled anew in every step, in which no particle comes, goes or moves in memory.
@@ -110,6 +114,7 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context,
       volume_(body_->particles.scalar(fields::volume)),
       density_(body_->particles.scalar(fields::density)),
       density_rate_(body_->particles.scalar(fields::density_rate)),
+      slack_(body_->particles.scalar(fields::slack)),
       pressure_(body_->particles.scalar(fields::pressure)) {}
 
 template <int Dim>
@@ -134,12 +139,14 @@ void PressureRelaxation<Dim>::secondHalf(const Clock& clock) {
 template <int Dim>
 void PressureRelaxation<Dim>::predict(double dt) {
     const double half = 0.5 * dt;
+    const double rho0 = constants_.rho0;
     const auto all = [&](auto&& pressure) {
         parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const double rho = density_[i] + half * density_rate_[i];
-                const double p = pressure(rho);
-                const double V = mass_[i] / rho;
+                const double dense = slack_[i] > 0 ? std::max(rho, rho0) : rho;
+                const double p = pressure(dense);
+                const double V = mass_[i] / dense;
                 density_[i] = rho;
                 pressure_[i] = p;
                 volume_[i] = V;
@@ -182,7 +189,7 @@ void PressureRelaxation<Dim>::momentum(double dt) {
             });
             const Vec<Dim> v = velocity_[i];
             const Vec<Dim> g = external_[i];
-            const FluidSide<Dim, Lanes> fluid = oneFluid<Dim>(v, g, si.p, density_[i]);
+            const FluidSide<Dim, Lanes> fluid = oneFluid<Dim>(v, g, si.p, density_[i], slack_[i]);
             for (const auto& wall : around_.walls())
                 addWallPressure<R>(wall.fields, wall.list(), i, constants_, fluid, si.V, unit, sum);
             PairState<Dim>& next = after_[i];
@@ -220,7 +227,7 @@ Load<Dim> PressureRelaxation<Dim>::loadOn(const typename Surroundings<Dim>::Wall
         if (list.ranges[i].count == 0) return own;
         ExactSums<Dim> sum(grid);
         const FluidSide<Dim, Lanes> fluid =
-            oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i]);
+            oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i]);
         addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], unit, sum);
         Vec<Dim> force;
         for (int c = 0; c < Dim; ++c) force[c] = unit * sum[c].value();
@@ -241,7 +248,7 @@ void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborLi
                 if (list.ranges[j].count == 0) return;
                 ExactSums<Dim> sum(grid);
                 addFluidPressure<R>(wall->fields, list, j, constants_, before_.data(), external_,
-                                    density_, sum);
+                                    density_, slack_, sum);
                 for (int c = 0; c < Dim; ++c) force[j][c] -= unit * sum[c].value();
             });
         });
@@ -309,8 +316,8 @@ void declarePressureRelaxation(input::Registry& registry) {
     readSolids(d.action("first_half",
                         "density, pressure and position to the half step; velocity by a whole step",
                         [](auto& method, const Clock& clock) { method.firstHalf(clock); })
-                   .reads("body", {"velocity", "mass", "density", "density_rate", "position",
-                                   "external_acceleration", "neighbors"}))
+                   .reads("body", {"velocity", "mass", "density", "density_rate", "slack",
+                                   "position", "external_acceleration", "neighbors"}))
         .writes("body", {"density", "pressure", "volume", "position", "velocity"})
         .opens("body", "step");
     readSolids(d.action("second_half",

@@ -120,6 +120,32 @@ void checkWall() {
     checkValue(twiceWallPressure<Riemann::none, Dim, Number>(water, fluid, wall, pair, r), 2 * 5);
 }
 
+/// A fluid particle that moves away from a wall at rest.
+template <int Dim, class Number>
+void checkParting() {
+    FluidSide<Dim, Number> fluid;
+    WallSide<Dim, Number> wall;
+    along<Dim>(0.25, fluid.v);
+    along<Dim>(0, wall.v);
+    along<Dim>(0, fluid.g);
+    for (Number& n : wall.n) n = Number{};
+    wall.n[Dim - 1] = everywhere<Number>(0.8);
+    wall.n[0] = everywhere<Number>(0.6);
+    fluid.p = everywhere<Number>(1);
+    fluid.rho = everywhere<Number>(2);
+    const auto pair = pairAbove<Dim, Number>();
+    const auto pressure = [&] {
+        return twiceWallPressure<Riemann::dissipative, Dim, Number>(water, fluid, wall, pair,
+                                                                    everywhere<Number>(0.1));
+    };
+    // The ghost moves away with the mirrored velocity; the normal part is 0.25 for both axes here.
+    const Number held = pressure();
+    fluid.least = Number{};  // a wall that cannot hold it
+    const Number free = pressure();
+    checkValue(held, 2 * 1 - 20 * 2 * 0.25);
+    checkValue(free, 0);
+}
+
 template <ViscousForm F, int Dim, class Number>
 void checkViscosity(const double (&expected)[2]) {
     Number v_ij[Dim];
@@ -160,6 +186,7 @@ void checkAll() {
     checkAllPressures<Dim, Number>();
     checkClosingRates<Dim, Number>();
     checkWall<Dim, Number>();
+    checkParting<Dim, Number>();
     // v W'/r V with v = (-0.3 + 5.6, -0.4 - 4.2), and -(0.5) e abs(W')... along e_ij alone.
     const double scale = -slope / 0.1 * 0.02;
     checkViscosity<ViscousForm::laplacian, Dim, Number>({scale * 5.3, scale * -4.6});

@@ -112,6 +112,11 @@ TEMPLATE_TEST_CASE_SIG("the sum of a kernel over a lattice", "", ((int Dim), Dim
         for (const Vec<Dim>& x : lattice<Dim>(Mat<Dim>::Identity(), kernel.cutoff()))
             sum += kernel.value(x.norm());
         CHECK(kernel.latticeSum() == Approx(sum).epsilon(1e-14));
+        // A row and what is on one side of it: half of the row itself counts twice.
+        double row = 0;
+        for (const Vec<Dim>& x : lattice<Dim>(Mat<Dim>::Identity(), kernel.cutoff()))
+            if (std::abs(x[1]) < 0.5 * spacing) row += kernel.value(x.norm());
+        CHECK(kernel.surfaceSum() == Approx(0.5 * (sum + row)).epsilon(1e-14));
         // That is nearly the integral.
         CHECK(kernel.latticeSum() * std::pow(spacing, Dim) == Approx(1).epsilon(0.015));
     }

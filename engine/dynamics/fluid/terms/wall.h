@@ -5,6 +5,8 @@
 #include "dynamics/fluid/terms/riemann.h"
 #include "dynamics/pair.h"
 
+#include <limits>
+
 // The terms of the acoustic step between a fluid particle and a dummy particle of a wall: one-sided
 // Riemann problem along the wall's normal, Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027.
 // Number is double for one pair or Lanes for eight. The fluid's and the wall's side get the same
@@ -18,6 +20,8 @@ struct FluidSide {
     Number g[Dim];  ///< acceleration by other forces than pressure
     Number p;
     Number rho;
+    /// Least pressure between it and a wall: 0 where the wall cannot hold it.
+    Number least = everywhere<Number>(-std::numeric_limits<double>::infinity());
 };
 
 /// The wall's side of a pair.
@@ -46,7 +50,8 @@ template <int Dim, class Number>
 
 /// Twice the pressure p* of the one-sided Riemann problem: p_i, the pressure of the ghost
 /// p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij), and what closing in at twice the speed adds, since
-/// the ghost moves with the mirrored normal velocity. `r`: distance of the two.
+/// the ghost moves with the mirrored normal velocity; p* is no less than what the wall can pull
+/// with. `r`: distance of the two.
 template <Riemann R, int Dim, class Number>
 [[gnu::always_inline]] inline Number twiceWallPressure(const RiemannConstants& k,
                                                        const FluidSide<Dim, Number>& fluid,
@@ -58,7 +63,8 @@ template <Riemann R, int Dim, class Number>
     const Number pull = dot<Dim>(g, pair.gradient);  // (g_i - a_w) . (-e_ij) abs(W')
     const Number ghost = fluid.rho * r * larger<Number>(pull * pair.inverse_dW, Number{});
     const Number closing = closingSpeed<Dim>(fluid.v, wall, pair);
-    return two * fluid.p + ghost + pressureJump<R>(k, two * closing);
+    const Number p2 = two * fluid.p + ghost + pressureJump<R>(k, two * closing);
+    return larger<Number>(p2, two * fluid.least);
 }
 
 /// 2 (v_i - v*_ij) . e_ij W' at a wall, where the ghost has the fluid's own pressure above the
