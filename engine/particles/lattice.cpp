@@ -72,9 +72,10 @@ std::vector<Vec<Dim>> latticePoints(const geometry::Shape<Dim>& shape,
 }
 
 template <int Dim>
-SurfacePoints<Dim> surfacePoints(const geometry::Shape<Dim>& shape, const Lattice<Dim>& lattice) {
-    SurfacePoints<Dim> found;
-    if (shape.empty()) return found;
+LatticeScan<Dim> scanLattice(const geometry::Shape<Dim>& shape, const Lattice<Dim>& lattice) {
+    LatticeScan<Dim> scan;
+    if (shape.empty()) return scan;
+    SurfacePoints<Dim>& found = scan.surface;
     const Vec<Dim> step = aside<Dim>(lattice.spacing);
     std::vector<std::uint8_t> above, below;
     forEachRow(shape, lattice, [&](LatticeIndex<Dim> index, std::size_t count) {
@@ -84,19 +85,29 @@ SurfacePoints<Dim> surfacePoints(const geometry::Shape<Dim>& shape, const Lattic
         shape.rowContains(first + step, lattice.spacing, count, above.data());
         shape.rowContains(first - step, lattice.spacing, count, below.data());
         for (std::size_t n = 0; n < count; ++n, ++index[0]) {
+            if (!above[n] && !below[n]) continue;
+            const Vec<Dim> point = pointOf<Dim>(lattice, index);
+            if (above[n]) scan.points.push_back(point);
             if (above[n] == below[n]) continue;
             ++found.count;
-            const Vec<Dim> normal = shape.normal(pointOf<Dim>(lattice, index));
+            const Vec<Dim> normal = shape.normal(point);
             for (int k = 0; k < Dim; ++k)
                 if (std::abs(normal[k]) > 1 - on_surface)
                     (normal[k] < 0 ? found.lower : found.upper)[k].push_back(index);
         }
     });
-    return found;
+    return scan;
+}
+
+template <int Dim>
+SurfacePoints<Dim> surfacePoints(const geometry::Shape<Dim>& shape, const Lattice<Dim>& lattice) {
+    return scanLattice(shape, lattice).surface;
 }
 
 template std::vector<Vec<2>> latticePoints(const geometry::Shape<2>&, const Lattice<2>&);
 template std::vector<Vec<3>> latticePoints(const geometry::Shape<3>&, const Lattice<3>&);
+template LatticeScan<2> scanLattice(const geometry::Shape<2>&, const Lattice<2>&);
+template LatticeScan<3> scanLattice(const geometry::Shape<3>&, const Lattice<3>&);
 template SurfacePoints<2> surfacePoints(const geometry::Shape<2>&, const Lattice<2>&);
 template SurfacePoints<3> surfacePoints(const geometry::Shape<3>&, const Lattice<3>&);
 

@@ -40,4 +40,14 @@ struct SurfacePoints {
 template <int Dim>
 SurfacePoints<Dim> surfacePoints(const geometry::Shape<Dim>& shape, const Lattice<Dim>& lattice);
 
+/// Both, by one look at the shape.
+template <int Dim>
+struct LatticeScan {
+    std::vector<Vec<Dim>> points;  ///< latticePoints()
+    SurfacePoints<Dim> surface;    ///< surfacePoints()
+};
+
+template <int Dim>
+LatticeScan<Dim> scanLattice(const geometry::Shape<Dim>& shape, const Lattice<Dim>& lattice);
+
 }  // namespace sphinx::particles

@@ -33,6 +33,15 @@ Lattice<Dim> movedLattice(Lattice<Dim> lattice, int axis) {
     return lattice;
 }
 
+/// Finds the points of the lattice where it lies now, and returns those on the surface.
+template <int Dim>
+SurfacePoints<Dim> fill(Candidate<Dim>& body) {
+    auto scan = particles::scanLattice<Dim>(*body.shape, body.placed.lattice);
+    body.placed.points = std::move(scan.points);
+    body.placed.on_surface = scan.surface.count;
+    return std::move(scan.surface);
+}
+
 /// Whether points fall on opposite faces, and on fewer ones where the lattice has moved.
 template <int Dim>
 bool gains(const Candidate<Dim>& body, int axis) {
@@ -86,21 +95,18 @@ std::map<std::string, PlacedLattice<Dim>> placeLattices(const model::Case& model
         for (int k = 0; k < Dim; ++k)
             body.movable[k] =
                 !source.resolution.origin && !domain.periodic[static_cast<std::size_t>(k)];
-        body.surface = particles::surfacePoints<Dim>(*body.shape, body.placed.lattice);
+        body.surface = fill(body);
         bodies.emplace(source.name, std::move(body));
     }
     for (int axis = 0; axis < Dim; ++axis) moveLattices<Dim>(bodies, axis);
 
     std::map<std::string, PlacedLattice<Dim>> placed;
     for (auto& [name, body] : bodies) {
-        body.placed.on_surface = body.surface.count;
         for (int axis = 0; axis < Dim; ++axis)
             if (body.placed.moved[axis])
                 body.placed.lattice = movedLattice(body.placed.lattice, axis);
-        if (body.placed.moved != std::array<bool, Dim>{})
-            body.placed.on_surface =
-                particles::surfacePoints<Dim>(*body.shape, body.placed.lattice).count;
-        placed.emplace(name, body.placed);
+        if (body.placed.moved != std::array<bool, Dim>{}) fill(body);
+        placed.emplace(name, std::move(body.placed));
     }
     return placed;
 }

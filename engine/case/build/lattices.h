@@ -15,6 +15,7 @@ namespace sphinx::build {
 template <int Dim>
 struct PlacedLattice {
     particles::Lattice<Dim> lattice;
+    std::vector<Vec<Dim>> points;  ///< inside of the shape
     /// By half a spacing along each axis, from where its points would fall on opposite faces.
     std::array<bool, Dim> moved{};
     /// Points that lie on the surface all the same: those at which the body goes on towards larger

@@ -3,13 +3,13 @@
 #include "case/build/world.h"
 
 #include "case/build/initial_values.h"
-#include "case/build/lattices.h"
 #include "case/check/checks.h"
+#include "case/language/changes.h"
 #include "materials/register.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace sphinx::build {
 namespace {
@@ -19,13 +19,10 @@ bodies::Domain<Dim> makeDomain(const model::Case& model) {
     bodies::Domain<Dim> domain;
     for (const model::Shape& shape : model.shapes)
         if (!shape.as<Dim>()->empty()) domain.bounds.include(shape.as<Dim>()->bounds());
-    // Room for what splashes over a rim. Along periodic axes the bounds are the period.
-    const double room = domain.bounds.size().maxCoeff();
-    for (int k = 0; k < Dim; ++k)
-        if (std::ranges::find(model.domain.periodic, k) == model.domain.periodic.end()) {
-            domain.bounds.lower[k] -= room;
-            domain.bounds.upper[k] += room;
-        }
+    // Room for what splashes over a rim. (A periodic domain states both of its bounds.)
+    const Vec<Dim> room = Vec<Dim>::Constant(domain.bounds.size().maxCoeff());
+    domain.bounds.lower -= room;
+    domain.bounds.upper += room;
     if (model.domain.lower) domain.bounds.lower = model.domain.lower->as<Dim>();
     if (model.domain.upper) domain.bounds.upper = model.domain.upper->as<Dim>();
     for (const int axis : model.domain.periodic)
@@ -56,19 +53,17 @@ decltype(bodies::Body<Dim>::role) makeRole(bodies::Role role,
 template <int Dim>
 void warnMoved(const model::Body& body, const PlacedLattice<Dim>& placed,
                input::Diagnostics& diagnostics) {
-    const std::string since = "since version 2 of the language ";
-    const std::string means = "; 'sphinx: 2' in the case says that it means this";
+    const auto warn = [&](const std::string& text) {
+        language::warnChange(body.place, 2, text, diagnostics);
+    };
     if (placed.moved != std::array<bool, Dim>{})
-        diagnostics.warning(body.place, since +
-                                            "a lattice whose points would fall on opposite "
-                                            "faces of the body moves by half a spacing" +
-                                            means);
+        warn(
+            "a lattice whose points would fall on opposite faces of the body moves by half a "
+            "spacing");
     if (placed.on_surface > 0)
-        diagnostics.warning(body.place, since +
-                                            "a lattice point on the surface of a body is its "
-                                            "particle only where the body goes on towards "
-                                            "larger coordinates" +
-                                            means);
+        warn(
+            "a lattice point on the surface of a body is its particle only where the body goes on "
+            "towards larger coordinates");
 }
 
 /// Particles of a lattice along periodic axes: a face shared by both ends belongs to one of them.
@@ -99,7 +94,7 @@ void checkPlaces(const input::Component& material, const std::vector<Vec<Dim>>& 
 
 template <int Dim>
 void makeParticles(const model::Case& model, const model::Body& source,
-                   const bodies::Domain<Dim>& domain, const PlacedLattice<Dim>* placed,
+                   const bodies::Domain<Dim>& domain, PlacedLattice<Dim>& placed,
                    bodies::Body<Dim>& body, input::Diagnostics& diagnostics) {
     std::vector<Vec<Dim>> points;
     std::vector<double> volumes;
@@ -109,9 +104,9 @@ void makeParticles(const model::Case& model, const model::Body& source,
         for (const input::Coordinates& p : source.particles->points) points.push_back(p.as<Dim>());
         volumes = source.particles->volumes;
     } else {
-        points = particles::latticePoints<Dim>(*body.shape, placed->lattice);
+        points = std::exchange(placed.points, {});
         keepOnePeriod(points, domain);
-        if (model.version < 2) warnMoved(source, *placed, diagnostics);
+        if (model.version < 2) warnMoved(source, placed, diagnostics);
     }
     if (volumes.empty()) volumes.assign(points.size(), std::pow(body.spacing, Dim));
 
@@ -130,7 +125,8 @@ void makeParticles(const model::Case& model, const model::Body& source,
 
 template <int Dim>
 std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool particles,
-                                               input::Diagnostics& diagnostics) {
+                                               input::Diagnostics& diagnostics,
+                                               std::map<std::string, PlacedLattice<Dim>>* placed) {
     check::checkLattices<Dim>(model, diagnostics);
     diagnostics.throwIfErrors();
     auto world = std::make_unique<bodies::World<Dim>>();
@@ -156,7 +152,7 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
         for (const model::Part& part : source.parts)
             body->parts.push_back({part.name, {}, model.findShape(part.shape.text)->as<Dim>()});
         if (particles || source.role == bodies::Role::observer)
-            makeParticles(model, source, world->domain, &lattices[source.name], *body, diagnostics);
+            makeParticles(model, source, world->domain, lattices[source.name], *body, diagnostics);
         else
             bodies::addParticles(*body, {});
         world->bodies.push_back(std::move(body));
@@ -177,12 +173,13 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
         check::checkWalls(model, *world, diagnostics);
         check::checkWorldRules(model, *world, diagnostics);
     }
+    if (placed) *placed = std::move(lattices);
     return world;
 }
 
-template std::unique_ptr<bodies::World<2>> buildWorld<2>(const model::Case&, bool,
-                                                         input::Diagnostics&);
-template std::unique_ptr<bodies::World<3>> buildWorld<3>(const model::Case&, bool,
-                                                         input::Diagnostics&);
+template std::unique_ptr<bodies::World<2>> buildWorld(const model::Case&, bool, input::Diagnostics&,
+                                                      std::map<std::string, PlacedLattice<2>>*);
+template std::unique_ptr<bodies::World<3>> buildWorld(const model::Case&, bool, input::Diagnostics&,
+                                                      std::map<std::string, PlacedLattice<3>>*);
 
 }  // namespace sphinx::build

@@ -167,9 +167,11 @@ void checkGap(const model::Case& model, const bodies::World<Dim>& world,
               const bodies::Body<Dim>& fluid, const bodies::Body<Dim>& solid,
               input::Diagnostics& diagnostics) {
     if (std::ranges::find(fluid.sees, &solid) == fluid.sees.end()) return;
+    // Most touch, and a narrow search tells so.
+    if (meet(world, fluid, solid, false, side_by_side).count > 0) return;
     const Meeting<Dim> meeting = meet(world, fluid, solid, false, widest_gap);
+    if (meeting.count == 0) return;
     const double spacing = std::max(fluid.spacing, solid.spacing);
-    if (meeting.count == 0 || meeting.distance < side_by_side * spacing) return;
     diagnostics.warning(
         model.findBody(fluid.name)->place,
         fmt::format("between {} and {} there is a gap of {:.2g} spacings at {}: particles side by "

@@ -96,15 +96,19 @@ std::span<const LanguageChange> languageChanges() {
     return changes;
 }
 
+void warnChange(const input::Place& place, int version, const std::string& text,
+                input::Diagnostics& diagnostics) {
+    diagnostics.warning(place, fmt::format("since version {} of the language {}; 'sphinx: {}' in "
+                                           "the case says that it means this",
+                                           version, text, language_version));
+}
+
 void warnChanges(const model::Case& model, int version, std::span<const LanguageChange> changes,
                  input::Diagnostics& diagnostics) {
     for (const LanguageChange& change : changes) {
         if (change.version <= version) continue;
         for (const input::Place& place : change.concerns(model))
-            diagnostics.warning(
-                place, fmt::format("since version {} of the language {}; 'sphinx: {}' in the case "
-                                   "says that it means this",
-                                   change.version, change.text, language_version));
+            warnChange(place, change.version, change.text, diagnostics);
     }
 }
 

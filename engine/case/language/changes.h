@@ -29,6 +29,11 @@ struct LanguageChange {
 /// All of them, from the oldest on; schemas/CHANGES.md lists them in the same words.
 std::span<const LanguageChange> languageChanges();
 
+/// Warns of a place that means something else since that version: "since version N of the language
+/// TEXT", and what to do.
+void warnChange(const input::Place& place, int version, const std::string& text,
+                input::Diagnostics& diagnostics);
+
 /// Warns a case of an older version of each place that means something else now.
 void warnChanges(const model::Case& model, int version, std::span<const LanguageChange> changes,
                  input::Diagnostics& diagnostics);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/run/check.h"
 
-#include "case/build/lattices.h"
 #include "case/build/loop.h"
 #include "case/build/loop_facts.h"
 #include "case/build/outputs.h"
@@ -172,7 +171,8 @@ CheckReport check(const model::Case& model) {
     input::Diagnostics diagnostics;
     const build::PlacedFacts placed = build::loopFacts(model);
     build::checkLoop(placed, diagnostics);
-    const auto world = build::buildWorld<Dim>(model, true, diagnostics);
+    std::map<std::string, build::PlacedLattice<Dim>> lattices;
+    const auto world = build::buildWorld<Dim>(model, true, diagnostics, &lattices);
     diagnostics.throwIfErrors();
     neighbors::Relations<Dim> relations(*world);
     dynamics::Context<Dim> context{*world, relations};
@@ -184,7 +184,6 @@ CheckReport check(const model::Case& model) {
         {model, *world, relations, {}, {}, {}, methods.all(), header, {}, {}}, true);
 
     std::string out = "bodies\n";
-    const auto lattices = build::placeLattices<Dim>(model, world->domain);
     for (const auto& body : world->bodies) {
         const auto lattice = lattices.find(body->name);
         out += fmt::format("  {}: {} particles, spacing {}, h {}{}{}\n", body->name, body->size(),
