@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/reduce_motion.h"
 
+#include "bodies/voids.h"
 #include "core/sum_all.h"
 #include "dynamics/load.h"
 #include "dynamics/solid/internal_energy.h"
@@ -53,16 +54,13 @@ std::unique_ptr<io::SeriesSource> sums(std::vector<io::SeriesQuantity> quantitie
         });
 }
 
-/// sum of m e(rho). Where a fluid bears no tension its density below that of zero pressure is a
-/// void, which holds no energy.
+/// sum of m e(rho); a void holds no energy.
 template <int Dim>
 double fluidEnergy(const Motion<Dim>& motion, const particles::Field<double>& density,
-                   const particles::Field<double>* slack) {
-    const double rho0 = motion.body->fluid().material->density();
+                   const bodies::Voids<Dim>& voids) {
     return materials::withLaw(*motion.body->fluid().material, [&](const auto& law) {
         return sumAll(motion.body->size(), [&](std::size_t i) {
-            const bool is_void = slack && (*slack)[i] > 0 && density[i] < rho0;
-            return is_void ? 0 : motion.mass(i) * law.internalEnergy(density[i]);
+            return voids.at(i, density[i]) ? 0 : motion.mass(i) * law.internalEnergy(density[i]);
         });
     });
 }
@@ -78,8 +76,7 @@ std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduc
     const std::string energy = reduced.units.text(unit::energy);
     const Motion<Dim> motion(reduced);
     const auto* density = &require<double>(reduced, fields::density);
-    const auto* slack = dynamic_cast<const particles::Field<double>*>(
-        reduced.body->particles.find(fields::slack.name));
+    const bodies::Voids<Dim> voids(*reduced.body);
     neighbors::Relations<Dim>* relations = reduced.relations;
     return std::make_unique<ReduceSource>(
         std::vector<io::SeriesQuantity>{
@@ -91,7 +88,7 @@ std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduc
              "sum of V W(F), with its hourglass control",
              {}},
             {"total", energy, "kinetic + potential + internal", {}}},
-        [motion, density, slack, relations](std::span<double> row) {
+        [motion, density, voids, relations](std::span<double> row) {
             bodies::Body<Dim>& body = *motion.body;
             const Vec<Dim> g = body.gravity();
             const auto sum = sumAll(body.size(), [&](std::size_t i) {
@@ -99,7 +96,7 @@ std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduc
                                              -motion.mass(i) * g.dot((*motion.x)[i])};
             });
             std::copy(sum.begin(), sum.end(), row.begin());
-            row[2] = body.isFluid() ? fluidEnergy(motion, *density, slack)
+            row[2] = body.isFluid() ? fluidEnergy(motion, *density, voids)
                                     : dynamics::solid::internalEnergy(body, *relations);
             row[3] = row[0] + row[1] + row[2];
         });

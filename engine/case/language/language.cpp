@@ -77,9 +77,10 @@ void declareDomain(Registry& registry) {
     using P = model::Domain;
     auto& d = registry.declare<P>(Kind::block, "domain");
     d.summary("Where particles may be");
-    d.optional("lower", &P::lower, coordinates(unit::length),
-               "corner of the smallest coordinates; default: that of all shapes, and below it "
-               "their largest extent as room for splashes where no axis is periodic");
+    d.optional(
+        "lower", &P::lower, coordinates(unit::length),
+        "corner of the smallest coordinates; default: that of all shapes, less their largest "
+        "extent as room for splashes");
     d.optional("upper", &P::upper, coordinates(unit::length),
                "corner of the largest coordinates; default: likewise");
     d.optional("periodic", &P::periodic, axes(), "axes along which the domain repeats");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/run/health.h"
 
+#include "bodies/voids.h"
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
@@ -46,9 +47,7 @@ template <int Dim>
 Extremes extremes(const bodies::Body<Dim>& body) {
     const auto& velocity = body.particles.vector(fields::velocity);
     const auto& density = body.particles.scalar(fields::density);
-    // Where a fluid bears no tension a density below rho0 tells a void: nothing is wrong with it.
-    const auto* slack =
-        dynamic_cast<const particles::Field<double>*>(body.particles.find(fields::slack.name));
+    const bodies::Voids<Dim> voids(body);  // nothing is wrong with them
     const double rho0 = body.material()->density();
     return reduceAll(
         body.size(), Extremes{},
@@ -59,10 +58,9 @@ Extremes extremes(const bodies::Body<Dim>& body) {
             for (std::size_t i = begin; i < end; ++i) {
                 const double s = velocity[i].squaredNorm();
                 const double d = std::abs(density[i] - rho0);
-                const bool is_void = slack && (*slack)[i] > 0 && density[i] < rho0;
                 sum += s + d;
                 speed2 = s > speed2 ? s : speed2;
-                deviation = d > deviation && !is_void ? d : deviation;
+                deviation = d > deviation && !voids.at(i, density[i]) ? d : deviation;
             }
             return Extremes{speed2, deviation, std::isfinite(sum)};
         },

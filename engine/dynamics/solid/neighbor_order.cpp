@@ -26,9 +26,7 @@ NeighborOrder<Dim>::NeighborOrder(const World<Dim>& world, Relations<Dim>& relat
 
 template <int Dim>
 void NeighborOrder<Dim>::findPairs() {
-    const std::uint64_t arrangement = body_->particles.arrangement();
-    if (arrangement == arrangement_) return;
-    arrangement_ = arrangement;
+    if (!watch_.hasChanged(body_->particles)) return;
     relations_->build(*relation_);
     pairs_.clear();
     const auto& start = body_->particles.vector(fields::initial_position);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/clock.h"
+#include "dynamics/arrangement_watch.h"
 #include "dynamics/words.h"
 
 #include <string>
@@ -35,8 +36,8 @@ class NeighborOrder {
     Body<Dim>* body_;
     ReferenceRelation<Dim>* relation_;
     Relations<Dim>* relations_;
+    ArrangementWatch watch_;
     std::vector<Pair> pairs_;
-    std::uint64_t arrangement_ = ~std::uint64_t{0};  // of the particles when they were found
 };
 
 extern template class NeighborOrder<2>;

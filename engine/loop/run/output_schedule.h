@@ -56,8 +56,8 @@ class OutputSchedule {
     void transferEntry(Archive& archive, EntryRun& run);
     void connectSampling(LayerRun& outermost);
     static void sample(EntryRun& run, const Clock& clock);
-    /// Writes the entries of `due` that have not written at this step, restarts last.
     bool restartDue(const std::vector<bool>& due) const;
+    /// Writes the entries of `due` that have not written at this step, restarts last.
     void write(const std::vector<bool>& due);
 
     const LayerRun& outermost_;

@@ -93,6 +93,14 @@ void checkClosingRates() {
         0.5 * slope + slope * 4 / 20);
 }
 
+/// A normal of a wall that is not along the line of the two.
+template <int Dim, class Number>
+void tilt(double side, Number (&n)[Dim]) {
+    for (Number& component : n) component = Number{};
+    n[0] = everywhere<Number>(0.6 * side);
+    n[Dim - 1] = everywhere<Number>(0.8 * side);
+}
+
 /// A fluid particle at distance 0.1 above a wall that moves up at 1.
 template <int Dim, class Number>
 void checkWall() {
@@ -107,9 +115,7 @@ void checkWall() {
     const auto pair = pairAbove<Dim, Number>();
     const auto r = everywhere<Number>(0.1);
     for (const double side : {1, -1}) {  // the normal is turned towards the fluid
-        for (Number& n : wall.n) n = Number{};
-        wall.n[0] = everywhere<Number>(0.6 * side);
-        wall.n[Dim - 1] = everywhere<Number>(0.8 * side);
+        tilt<Dim>(side, wall.n);
         // Ghost: p + rho r (9 - 2); closing at 0.75, mirrored at 1.5: rho0 min(4.5, 10) 1.5.
         checkValue(
             twiceWallPressure<Riemann::low_dissipation, Dim, Number>(water, fluid, wall, pair, r),
@@ -128,9 +134,7 @@ void checkParting() {
     along<Dim>(0.25, fluid.v);
     along<Dim>(0, wall.v);
     along<Dim>(0, fluid.g);
-    for (Number& n : wall.n) n = Number{};
-    wall.n[Dim - 1] = everywhere<Number>(0.8);
-    wall.n[0] = everywhere<Number>(0.6);
+    tilt<Dim>(1, wall.n);
     fluid.p = everywhere<Number>(1);
     fluid.rho = everywhere<Number>(2);
     const auto pair = pairAbove<Dim, Number>();
