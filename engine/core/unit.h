@@ -34,6 +34,7 @@ inline constexpr Dimension acceleration{1, -2, 0};
 inline constexpr Dimension frequency{0, -1, 0};
 inline constexpr Dimension density{-3, 0, 1};
 inline constexpr Dimension density_rate{-3, -1, 1};
+inline constexpr Dimension mass_rate{0, -1, 1};
 inline constexpr Dimension number_density{-3, 0, 0};
 inline constexpr Dimension pressure{-1, -2, 1};
 inline constexpr Dimension dynamic_viscosity{-1, -1, 1};

@@ -79,9 +79,15 @@ inline constexpr FieldInfo average_velocity{
     "average_velocity", Rank::vector, unit::velocity,
     "velocity of a solid particle, averaged over the fluid's acoustic step",
     initial_value::sameAs(velocity)};
-inline constexpr FieldInfo average_acceleration{
-    "average_acceleration", Rank::vector, unit::acceleration,
-    "acceleration of a solid particle, averaged over the fluid's acoustic step",
+inline constexpr FieldInfo radiation_impedance{
+    "radiation_impedance", Rank::matrix, unit::mass_rate,
+    "force by which fluids answer a particle of an elastic body at once, per velocity: Z of "
+    "fsi.pressure_force",
+    initial_value::zero};
+inline constexpr FieldInfo slip{
+    "slip", Rank::vector, unit::length,
+    "by how much further a particle of an elastic body moved in the last step of its fluids than "
+    "they saw",
     initial_value::zero};
 inline constexpr FieldInfo depth{"depth", Rank::scalar, unit::length,
                                  "distance of a solid particle from the body's surface"};

@@ -83,7 +83,7 @@ class Outputs(Promise):
                 written.add(field)
         self.assertLessEqual(set(DERIVED) | {"velocity", "deformation_gradient"}, written)
         # Those of a fluid, and what only a coupling with one computes.
-        self.assertFalse(written & {"pressure", "density_rate", "average_acceleration"})
+        self.assertFalse(written & {"pressure", "density_rate", "radiation_impedance"})
 
     def test_no_outputs(self):
         case = self.case("splash_2d")

@@ -55,14 +55,13 @@ Words ownerBodies(const model::Case& model, const input::Component& method,
     return seen;
 }
 
-/// Whether a method of the loop writes the field, come what may.
+/// Whether a method of the loop writes or accumulates the field, come what may.
 bool isMade(const model::Case& model, const std::string& body, const std::string& field) {
     for (const input::Component& method : model.dynamics) {
         if (!model.calls(method.name)) continue;
         for (const input::Action& action : method.declaration->actions())
             for (const input::Access& access : action.accesses()) {
-                if (access.mode != input::AccessMode::write || access.if_made ||
-                    access.field != field)
+                if (!input::changes(access.mode) || access.if_made || access.field != field)
                     continue;
                 const Words bodies = ownerBodies(model, method, access.owner);
                 if (std::find(bodies.begin(), bodies.end(), body) != bodies.end()) return true;

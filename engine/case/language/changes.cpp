@@ -65,6 +65,15 @@ std::vector<input::Place> elasticWithoutRatio(const model::Case& model) {
     return places;
 }
 
+/// Pressures of fluids on elastic bodies.
+std::vector<input::Place> couplings(const model::Case& model) {
+    std::vector<input::Place> places;
+    for (const input::Component& method : model.dynamics)
+        if (method.declaration->name() == "fsi.pressure_force" && model.calls(method.name))
+            places.push_back(method.place);
+    return places;
+}
+
 /// Densities of fluids with a free surface by summation.
 std::vector<input::Place> sumsWithFreeSurface(const model::Case& model) {
     std::vector<input::Place> places;
@@ -92,6 +101,9 @@ std::span<const LanguageChange> languageChanges() {
         {2, true, sumsWithFreeSurface,
          "a fluid with a free surface bears no tension at walls and where it has no support, and "
          "inside its density by summation is corrected in both directions, little at a time"},
+        {2, true, couplings,
+         "a fluid and an elastic body meet along the line of two particles, not along the normal, "
+         "and the fluid answers what the body does within its step"},
     };
     return changes;
 }

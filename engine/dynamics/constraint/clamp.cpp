@@ -5,6 +5,7 @@
 #include "dynamics/methods.h"
 #include "dynamics/outer_forces.h"
 #include "dynamics/part_method.h"
+#include "dynamics/radiation.h"
 
 #include <fmt/format.h>
 
@@ -74,14 +75,16 @@ void Clamp<Dim>::run(const Clock& clock) {
         const auto load = [&](Index i) -> Vec<Dim> {
             return mass_[i] * outer_.external[i] + outer_.pressure[i] + outer_.viscous[i];
         };
+        const Radiation<Dim> radiation(body_->particles, clock.dt);
         Load<Dim> reaction;
         for (const Index i : images_) reaction.add(position_[i], -mass_[i] * acceleration_[i]);
         for (const ImageLink& link : links_) {
             const Index i = link.image;
             const Vec<Dim> force = link.weight * (mass_[i] * acceleration_[i] - load(i));
             reaction.add(position_[link.real], force);
-            acceleration_[link.real] += force / mass_[link.real];
-            velocity_[link.real] += clock.dt / mass_[link.real] * force;
+            const Vec<Dim> a = radiation.acceleration(link.real, force);
+            acceleration_[link.real] += a;
+            velocity_[link.real] += clock.dt * a;
         }
         this->setLoad(reaction);
     }
@@ -122,6 +125,7 @@ void declareClamp(input::Registry& registry) {
     d.action("between the halves of the step, and at the start before the correction")
         .reads("part", {"initial_position", "volume", "velocity", "mass", "acceleration",
                         "external_acceleration", "pressure_force", "viscous_force"})
+        .mayRead("part", {"radiation_impedance"})
         .writes("part", {"velocity", "acceleration"})
         .within("part", "step")
         .throughout(

@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "dynamics/methods.h"
 #include "dynamics/part_method.h"
+#include "dynamics/radiation.h"
 
 #include <array>
 
@@ -23,23 +24,24 @@ void declareFix(input::Registry& registry) {
     using P = FixParameters;
     auto& d = declarePartMethod<Support, P>(
         registry, "constraint.fix", []<int Dim>(const P& p, const Part<Dim>& whole, Context<Dim>&) {
-            auto& velocity = whole.body().particles.vector(fields::velocity);
-            const auto& mass = whole.body().particles.scalar(fields::mass);
+            ParticleSet<Dim>& particles = whole.body().particles;
+            auto& velocity = particles.vector(fields::velocity);
             std::array<bool, Dim> fixed;
             fixed.fill(p.directions.empty());
             for (const int axis : p.directions) fixed[static_cast<std::size_t>(axis)] = true;
-            return [&velocity, &mass, fixed](const Clock& clock, KnownLoad<Dim>& load) {
+            return [&particles, &velocity, fixed](const Clock& clock, KnownLoad<Dim>& load) {
                 const Part<Dim>& part = load.part();
                 AlignedVector<Vec<Dim>>& force = load.forces();
-                const double rate = clock.is_start ? 0 : 1 / clock.dt;
+                Radiation<Dim> radiation(particles, clock.dt);
                 parallelFor(part.size(), [&](std::size_t n) {
                     const std::size_t i = part[n];
-                    force[n].setZero();
-                    for (int c = 0; c < Dim; ++c) {
-                        if (!fixed[static_cast<std::size_t>(c)]) continue;
-                        force[n][c] = -rate * mass[i] * velocity[i][c];
-                        velocity[i][c] = 0;
+                    if (!clock.is_start) {
+                        force[n] = radiation.impose(i, fixed, Vec<Dim>::Zero());
+                        return;
                     }
+                    force[n].setZero();
+                    for (int c = 0; c < Dim; ++c)
+                        if (fixed[static_cast<std::size_t>(c)]) velocity[i][c] = 0;
                 });
             };
         });
@@ -49,6 +51,7 @@ void declareFix(input::Registry& registry) {
                "axes along which nothing moves; without: all");
     d.action("between the halves of the step")
         .reads("part", {"velocity", "mass"})
+        .mayRead("part", {"radiation_impedance"})
         .writes("part", {"velocity"})
         .within("part", "step");
 }

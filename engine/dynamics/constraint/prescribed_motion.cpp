@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "dynamics/known_load.h"
 #include "dynamics/methods.h"
+#include "dynamics/radiation.h"
 #include "dynamics/turned_normal.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,7 @@ class PrescribedMotion : public Method {
 
  protected:
     bool moves(int axis) const { return moves_[static_cast<std::size_t>(axis)]; }
+    const std::array<bool, Dim>& moves() const { return moves_; }
     /// Throws PhysicsError where u is not finite at one of these times.
     void requireFinite(std::initializer_list<double> times) const;
 
@@ -114,23 +116,21 @@ void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
     if (clock.is_start) return;
     const double dt = clock.dt;
     auto& position = this->position_;
-    auto& velocity = this->velocity_;
-    const auto& mass = this->part_.body().particles.scalar(fields::mass);
+    Radiation<Dim> radiation(this->part_.body().particles, dt);
     const auto before = this->motion_.at(clock.time);
     const auto after = this->motion_.at(clock.time + dt);
     AlignedVector<Vec<Dim>>& force = this->forces();
     const std::size_t spoilt = countLocal(this->part_.size(), [&](std::size_t n) {
         const std::size_t i = this->part_[n];
         const Vec<Dim>& start = this->initial_position_[i];
-        force[n].setZero();
+        Vec<Dim> v = Vec<Dim>::Zero();
         for (int c = 0; c < Dim; ++c) {
             if (!this->moves(c)) continue;
             const double u = after(start, c);
-            const double v = (u - before(start, c)) / dt;
-            force[n][c] = mass[i] * (v - velocity[i][c]) / dt;
-            velocity[i][c] = v;
-            position[i][c] = start[c] + u - 0.5 * dt * v;
+            v[c] = (u - before(start, c)) / dt;
+            position[i][c] = start[c] + u - 0.5 * dt * v[c];
         }
+        force[n] = radiation.impose(i, this->moves(), v);
         return !force[n].allFinite();
     });
     if (spoilt > 0) this->requireFinite({clock.time, clock.time + dt});
@@ -318,6 +318,7 @@ void declarePrescribedMotion(input::Registry& registry) {
          "neighbors are stale from then on")
         .reads("part", {"initial_position", "position", "velocity", "acceleration", "mass"})
         .writes("part", {"position", "velocity", "acceleration"})
+        .mayRead("part.elastic", {"radiation_impedance"})
         .mayRead("part.rigid", {"initial_normal", "normal"})
         .mayWrite("part.rigid", {"normal"})
         .releases("part", {"velocity", "acceleration"})

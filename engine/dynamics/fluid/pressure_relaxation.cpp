@@ -53,6 +53,12 @@ class PressureRelaxation final : public SolidLoad<Dim> {
                      const Vec<Dim>& about) const override;
     void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                    Field<Vec<Dim>>& force) const override;
+    void addImpedance(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                      Field<Mat<Dim>>& impedance) const override;
+    void transfer(Archive& archive) override {
+        SolidLoad<Dim>::transfer(archive);
+        archive.value("last_dt", last_dt_);
+    }
 
     void firstHalf(const Clock& clock);
     void secondHalf(const Clock& clock);
@@ -61,6 +67,11 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     using SolidLoad<Dim>::body_;
 
     void predict(double dt);
+    /// Gives back what elastic solids have lost by the impedance of the fluid (Radiation).
+    void addSlipImpulses();
+    /// That impulse on particle i from one of them.
+    Vec<Dim> slipImpulse(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
+                         std::size_t i) const;
     template <Riemann R>
     Load<Dim> loadOn(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
                      const Vec<Dim>& about) const;
@@ -75,6 +86,8 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     RiemannConstants constants_;
     double largest_force_;  // that sums over pairs may reach, and of the rate
     double largest_rate_;
+    double largest_impedance_;
+    double last_dt_ = 0;  // of the last slips
     Surroundings<Dim> around_;
 
     Field<Vec<Dim>>& position_;
@@ -106,6 +119,7 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context,
       largest_force_(0.1 * constants_.rho0 * constants_.c0 * constants_.c0 *
                      std::pow(body_->spacing, Dim - 1)),
       largest_rate_(0.1 * constants_.c0 / body_->spacing),
+      largest_impedance_(4 * constants_.rho0 * constants_.c0 * std::pow(body_->spacing, Dim - 1)),
       around_(context, *body_, {.walls = {.distance = true}}),
       position_(body_->particles.position()),
       velocity_(body_->particles.vector(fields::velocity)),
@@ -132,6 +146,8 @@ template <int Dim>
 void PressureRelaxation<Dim>::secondHalf(const Clock& clock) {
     this->actedAt(clock.time);
     const double dt = clock.dt;
+    last_dt_ = dt;
+    addSlipImpulses();
     withRiemann(riemann_, [&]<Riemann R>() { continuity<R>(dt); });
     ++body_->version;
 }
@@ -206,6 +222,31 @@ void PressureRelaxation<Dim>::momentum(double dt) {
 }
 
 template <int Dim>
+Vec<Dim> PressureRelaxation<Dim>::slipImpulse(const WallFields<Dim>& fields,
+                                              const NeighborList<Dim>& list, std::size_t i) const {
+    const double factor = 2 * constants_.rho0 * constants_.c0;
+    const double unit = list.gradient_unit;
+    // Slips are less than a spacing.
+    ExactSums<Dim> sum(SumGrid(largest_impedance_ * body_->spacing / (factor * unit)));
+    fluid::addSlipImpulse<Dim>(fields, list, i, volume_[i], unit, sum);
+    Vec<Dim> impulse;
+    for (int c = 0; c < Dim; ++c) impulse[c] = factor * unit * sum[c].value();
+    return impulse;
+}
+
+template <int Dim>
+void PressureRelaxation<Dim>::addSlipImpulses() {
+    for (const auto& wall : around_.walls()) {
+        if (!wall.fields.elastic) continue;
+        parallelFor(body_->size(), [&](std::size_t i) {
+            if (wall.list().ranges[i].count == 0) return;
+            velocity_[i] += slipImpulse(wall.fields, wall.list(), i) / mass_[i];
+            for (int c = 0; c < Dim; ++c) after_[i].v[c] = velocity_[i][c];
+        });
+    }
+}
+
+template <int Dim>
 Load<Dim> PressureRelaxation<Dim>::loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
                                           const Vec<Dim>& about) const {
     const auto* wall = around_.wall(solid);
@@ -231,6 +272,8 @@ Load<Dim> PressureRelaxation<Dim>::loadOn(const typename Surroundings<Dim>::Wall
         addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], unit, sum);
         Vec<Dim> force;
         for (int c = 0; c < Dim; ++c) force[c] = unit * sum[c].value();
+        if (wall.fields.elastic && last_dt_ > 0)
+            force -= slipImpulse(wall.fields, list, i) / last_dt_;
         // Along the line of two particles: the place of either gives the moment.
         own.add(position_[i] - about, force);
         return own;
@@ -253,6 +296,28 @@ void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborLi
             });
         });
     }
+}
+
+template <int Dim>
+void PressureRelaxation<Dim>::addImpedance(const Body<Dim>& solid, const NeighborList<Dim>& list,
+                                           Field<Mat<Dim>>& impedance) const {
+    const auto* wall = around_.wall(solid);
+    if (!wall) return;
+    const double factor = 2 * constants_.rho0 * constants_.c0;
+    const double unit = list.gradient_unit;
+    const SumGrid grid(largest_impedance_ / (factor * unit));
+    parallelFor(solid.size(), [&](std::size_t j) {
+        // An image moves as the others do, with nothing to be slowed down.
+        if (list.ranges[j].count == 0 || !solid.hasMass(j)) return;
+        ExactSums<Dim*(Dim + 1) / 2> sum(grid);
+        fluid::addImpedance<Dim>(wall->fields, list, j, volume_, sum);
+        for (int row = 0, k = 0; row < Dim; ++row)
+            for (int column = 0; column <= row; ++column, ++k) {
+                const double Z = factor * unit * sum[k].value();
+                impedance[j](row, column) += Z;
+                if (column < row) impedance[j](column, row) += Z;
+            }
+    });
 }
 
 template <int Dim>
@@ -286,8 +351,8 @@ void PressureRelaxation<Dim>::continuity(double dt) {
 
 /// What both sums need of the solids that the fluid sees.
 input::Action& readSolids(input::Action& action) {
-    return action.reads("neighbors.solid", {"normal", "volume"})
-        .reads("neighbors.rigid", {"velocity", "acceleration"})
+    return action.reads("neighbors.solid", {"volume"})
+        .reads("neighbors.rigid", {"normal", "velocity", "acceleration"})
         .reads("neighbors.elastic", {"average_velocity"});
 }
 
@@ -324,8 +389,9 @@ void declarePressureRelaxation(input::Registry& registry) {
                         "rate of change of the density; density and position to the full step",
                         [](auto& method, const Clock& clock) { method.secondHalf(clock); })
                    .reads("body", {"velocity", "pressure", "volume", "density", "position",
-                                   "external_acceleration", "neighbors"}))
-        .writes("body", {"density_rate", "density", "position"})
+                                   "external_acceleration", "mass", "neighbors"})
+                   .mayRead("neighbors.elastic", {"slip"}))
+        .writes("body", {"density_rate", "density", "position", "velocity"})
         .closes("body", "step");
 }
 

@@ -42,6 +42,10 @@ class SolidLoad : public Method {
     /// the solid, with distances.
     virtual void addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                            Field<Vec<Dim>>& force) const = 0;
+    /// Adds to `impedance`, of each particle of the solid, by what the fluid answers its motion at
+    /// once (fields::radiation_impedance). A load by viscosity has none.
+    virtual void addImpedance(const Body<Dim>& /*solid*/, const NeighborList<Dim>& /*list*/,
+                              Field<Mat<Dim>>& /*impedance*/) const {}
 
  protected:
     SolidLoad(Context<Dim>& context, Body<Dim>& fluid, LoadKind kind) : body_(&fluid), kind_(kind) {

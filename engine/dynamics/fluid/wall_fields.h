@@ -10,23 +10,26 @@ namespace sphinx::dynamics::fluid {
 /// velocity is averaged over them (fsi.average_kinematics). Its acceleration is left out of the
 /// ghost pressure: what the fluid felt of it would push the solid a step later, and a stiff plate
 /// under water (cases/hydrostatic_plate_fsi_2d) then swings up at any step. That is an error of
-/// rho a r/2 in the pressure on it, of first order in the spacing.
+/// rho a r/2 in the pressure on it, of first order in the spacing. The fluid meets an elastic solid
+/// along the line of the two particles, a rigid one along its normal: terms/wall.h.
 template <int Dim>
 struct WallFields {
+    bool elastic;
     const Field<Vec<Dim>>* velocity;
     const Field<Vec<Dim>>* acceleration;  ///< null: not seen
     const Field<Vec<Dim>>* normal;
     const Field<double>* depth;
     const Field<double>* volume;
+    const Field<Vec<Dim>>* slip;  ///< null: it makes no steps of its own
 
-    explicit WallFields(Body<Dim>& solid) {
-        const bool elastic = solid.isElastic();
+    explicit WallFields(Body<Dim>& solid) : elastic(solid.isElastic()) {
         ParticleSet<Dim>& p = solid.particles;
         velocity = &p.vector(elastic ? fields::average_velocity : fields::velocity);
         acceleration = elastic ? nullptr : &p.vector(fields::acceleration);
         normal = &p.vector(fields::normal);
         depth = &p.scalar(fields::depth);
         volume = &p.scalar(fields::volume);
+        slip = elastic ? &p.vector(fields::slip) : nullptr;
     }
 };
 

@@ -32,6 +32,16 @@ inline FluidSide<Dim, Lanes> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, doub
     return fluid;
 }
 
+/// Direction along which the fluid meets the wall particles of eight pairs, whichever way it points.
+template <int Dim>
+inline void gatherNormals(const WallFields<Dim>& fields, const Pairs<Dim>& pair,
+                          Lanes (&n)[Dim]) {
+    if (fields.elastic)
+        for (int c = 0; c < Dim; ++c) n[c] = pair.gradient[c] * pair.inverse_dW;
+    else
+        gatherVectors<Dim>(fields.normal->data(), pair.index, n);
+}
+
 /// Adds sum_j 2 (v_i - v*_ij) . e_ij W' V_j over the wall particles j near the fluid
 /// particle i, in the given gradient unit.
 template <int Dim>
@@ -43,7 +53,7 @@ inline void addWallClosure(const WallFields<Dim>& fields, const NeighborList<Dim
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallSide<Dim, Lanes> wall;
         gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
-        gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
+        gatherNormals(fields, pair, wall.n);
         sum.addProduct(units * wallClosingRate<Dim, Lanes>(v, wall, pair),
                        gatherLanes(fields.volume->data(), pair.index));
     });
@@ -63,7 +73,7 @@ inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Di
         gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
         if (fields.acceleration)
             gatherVectors<Dim>(fields.acceleration->data(), pair.index, wall.a);
-        gatherVectors<Dim>(fields.normal->data(), pair.index, wall.n);
+        gatherNormals(fields, pair, wall.n);
         const Lanes p2 =
             twiceWallPressure<R, Dim, Lanes>(constants, fluid, wall, pair, distances.next());
         const Lanes f = p2 * (V * gatherLanes(fields.volume->data(), pair.index));
@@ -85,7 +95,10 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         WallSide<Dim, Lanes> wall;
         spread<Dim>((*fields.velocity)[j], wall.v);
         if (fields.acceleration) spread<Dim>((*fields.acceleration)[j], wall.a);
-        spread<Dim>((*fields.normal)[j], wall.n);
+        if (fields.elastic)
+            gatherNormals(fields, pair, wall.n);
+        else
+            spread<Dim>((*fields.normal)[j], wall.n);
         FluidSide<Dim, Lanes> fluid;
         const PairLanes<Dim> state = gather(states, pair.index);
         for (int c = 0; c < Dim; ++c) fluid.v[c] = state.v[c];
@@ -96,6 +109,38 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         const Lanes p2 = twiceWallPressure<R, Dim, Lanes>(constants, fluid, wall, pair.reversed(),
                                                           distances.next());
         const Lanes f = p2 * (V * state.V);
+        for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
+    });
+}
+
+/// Adds to the components of Z_j of one particle j of an elastic solid, 2 rho0 c0 sum_i abs(W')
+/// e_ij (x) e_ij V_i V_j, over the fluid particles i near it, without the factor 2 rho0 c0 and in
+/// the list's gradient unit: row by row, up to the diagonal.
+template <int Dim>
+inline void addImpedance(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
+                         std::size_t j, const Field<double>& volume,
+                         ExactSums<Dim*(Dim + 1) / 2>& sum) {
+    const double V = (*fields.volume)[j];
+    forEachPair(list, j, [&](const Pairs<Dim>& pair) {
+        const Lanes f = (V * gatherLanes(volume.data(), pair.index)) * pair.inverse_dW;
+        for (int row = 0, k = 0; row < Dim; ++row)
+            for (int column = 0; column <= row; ++column, ++k)
+                sum[k].addProduct(f, pair.gradient[row] * pair.gradient[column]);
+    });
+}
+
+/// Adds the impulse on one fluid particle i by which the slips s_j of an elastic solid are answered,
+/// 2 rho0 c0 sum_j abs(W') e_ij (e_ij . s_j) V_i V_j: what the solid has lost by its impedance.
+/// Without the factor 2 rho0 c0, in the given gradient unit.
+template <int Dim>
+inline void addSlipImpulse(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
+                           std::size_t i, double V, double unit, ExactSums<Dim>& sum) {
+    V *= list.gradient_unit / unit;
+    forEachPair(list, i, [&](const Pairs<Dim>& pair) {
+        Lanes s[Dim];
+        gatherVectors<Dim>(fields.slip->data(), pair.index, s);
+        const Lanes f = (V * gatherLanes(fields.volume->data(), pair.index)) * pair.inverse_dW *
+                        dot<Dim>(s, pair.gradient);
         for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
     });
 }

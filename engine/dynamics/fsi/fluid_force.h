@@ -25,10 +25,14 @@ class FluidForce final : public Method {
           relation_(&context.relations.flow(*solid_, *fluid_, {.distance = true})),
           force_(solid_->particles.vector(
               kind == fluid::LoadKind::pressure ? fields::pressure_force : fields::viscous_force)) {
+        if (kind == fluid::LoadKind::pressure)
+            impedance_ = &solid_->particles.matrix(fields::radiation_impedance);
     }
     void run(const Clock&) {
-        if (const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind))
-            load->addForces(*solid_, relation_->list, force_);
+        const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind);
+        if (!load) return;
+        load->addForces(*solid_, relation_->list, force_);
+        if (impedance_) load->addImpedance(*solid_, relation_->list, *impedance_);
     }
     std::size_t workSize() const override { return solid_->size(); }
 
@@ -38,6 +42,7 @@ class FluidForce final : public Method {
     Body<Dim>* fluid_;
     const Relation<Dim>* relation_;  // of the solid to the fluid
     Field<Vec<Dim>>& force_;
+    Field<Mat<Dim>>* impedance_ = nullptr;  // by pressure only
 };
 
 /// A rule: a fluid pushes the bodies that it sees.

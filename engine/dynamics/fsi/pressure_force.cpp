@@ -11,12 +11,15 @@ void declarePressureForce(input::Registry& registry) {
     d.summary(
         "Pressure of a fluid on the particles of an elastic body; after the first half of the "
         "fluid's pressure relaxation");
-    d.formula("f_j = -sum_i 2 p*_ij e_ji W' V_i V_j, minus what the fluid has felt (guide 2.2.4)");
+    d.formula(
+        "f_j = -sum_i 2 p*_ij e_ji W' V_i V_j, minus what the fluid has felt (guide 2.2.4), and in "
+        "the steps of the body -Z_j (v_j - average v_j), Z_j = 2 rho0 c0 sum_i abs(W') e_ij (x) "
+        "e_ij V_i V_j, which the fluid feels at the end of its own");
     d.cite("guide", "2.2.4").cite("Zhang, Rezavand & Hu 2021");
     d.action()
-        .reads("body", {"normal", "volume", "average_velocity", "neighbors"})
+        .reads("body", {"volume", "average_velocity", "neighbors"})
         .reads("from", {"pressure", "density", "volume", "external_acceleration"})
-        .accumulates("body", {"pressure_force"})
+        .accumulates("body", {"pressure_force", "radiation_impedance"})
         .within("from", "step");
 }
 

@@ -9,6 +9,7 @@
 #include "core/parallel.h"
 #include "dynamics/methods.h"
 #include "dynamics/outer_forces.h"
+#include "dynamics/radiation.h"
 #include "dynamics/solid/deformation.h"
 #include "dynamics/solid/hourglass_rule.h"
 
@@ -23,7 +24,8 @@ namespace {
 ///                (with the hourglass control and the shares of particles, see Deformation)
 ///   second half: dF_i = -sum_j v_ij (x) e_ij W' V_j B_i,  F += dt/2 dF, r += dt/2 v
 /// all sums in the reference configuration. External are the accumulated accelerations and the
-/// forces of fluids by pressure and viscosity. A constraint acts between the halves.
+/// forces of fluids by pressure and viscosity, to which the fluids' answer to the motion within
+/// their step comes (Radiation). A constraint acts between the halves.
 template <int Dim>
 class StressRelaxation final : public Method {
  public:
@@ -73,12 +75,14 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
         const Vector v = load(velocity_, group) + dt * a;
         store(v, velocity_, group);
     });
+    Radiation<Dim>(body_->particles, dt).answer(acceleration_);
     ++body_->version;
 }
 
 template <int Dim>
 void StressRelaxation<Dim>::secondHalf(const Clock& clock) {
     const double dt = clock.dt;
+    Radiation<Dim>(body_->particles, dt).addSlip();
     deformation_.secondHalf(dt);
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
     ++body_->version;
@@ -133,6 +137,7 @@ void declareStressRelaxation(input::Registry& registry) {
                         "correction_matrix", "deformation_gradient", "deformation_rate",
                         "external_acceleration", "pressure_force", "viscous_force"})
         .reads("bonded", {"initial_position", "position", "volume", "corrected_stress"})
+        .mayRead("body", {"radiation_impedance", "average_velocity"})
         .writes("body", {"deformation_gradient", "corrected_stress", "density", "position",
                          "velocity", "acceleration"})
         .opens("body", "step");
@@ -140,6 +145,8 @@ void declareStressRelaxation(input::Registry& registry) {
              [](auto& method, const Clock& clock) { method.secondHalf(clock); })
         .reads("body", {"position", "velocity", "correction_matrix", "deformation_gradient"})
         .reads("bonded", {"velocity"})
+        .mayRead("body", {"radiation_impedance", "average_velocity", "slip"})
+        .mayWrite("body", {"slip"})
         .writes("body", {"deformation_rate", "deformation_gradient", "position"})
         .closes("body", "step");
 }
