@@ -13,13 +13,14 @@ namespace sphinx::dynamics {
 
 /// How fluids answer the motion of an elastic body at once. A body makes several steps in one of
 /// its fluids, whose pressure p*_ij is that of the velocity u which they have seen
-/// (average_velocity). A body that has changed its velocity since pushes sound into the fluid, whose
-/// impedance answers with rho0 c0 (v - u) . e_ij more pressure: a force -Z (v - u) on the particle,
-/// Z = 2 rho0 c0 sum_i abs(W') e_ij (x) e_ij V_i V_j over the fluid particles near it. It is taken
-/// at the end of the kick, m dv = f dt - Z (v - u) dt, so that it holds for any step. The fluid gets
-/// the impulse Z s of the slip s = sum (v - u) dt at the end of its own step: together they lose no
-/// momentum. Without it the pressure would be a spring that acts a step late, which feeds every
-/// vibration of more than a few radians a step, and whatever is lighter than the fluid it moves.
+/// (average_velocity). A body that has changed its velocity since pushes sound into the fluid,
+/// whose impedance answers with rho0 c0 (v - u) . e_ij more pressure: a force -Z (v - u) on the
+/// particle, Z = 2 rho0 c0 sum_i abs(W') e_ij (x) e_ij V_i V_j over the fluid particles near it. It
+/// is taken at the end of the kick, m dv = f dt - Z (v - u) dt, so that it holds for any step. The
+/// fluid gets the impulse Z s of the slip s = sum (v - u) dt at the end of its own step: together
+/// they lose no momentum. Without it the pressure would be a spring that acts a step late, which
+/// feeds every vibration of more than a few radians a step, and whatever is lighter than the fluid
+/// it moves.
 ///
 /// Constraints that act between the halves move the inertia m + dt Z. To be made for one step of a
 /// body: where no fluid pushes it nobody makes the fields, and all is as without them.
@@ -68,9 +69,7 @@ class Radiation {
         const Mat<Dim> inertia = mass_[i] * Mat<Dim>::Identity() + dt_ * (*impedance_)[i];
         return inertia.inverse();
     }
-    Vec<Dim> moved(std::size_t i, const Vec<Dim>& force) const {
-        return inverseInertia(i) * force;
-    }
+    Vec<Dim> moved(std::size_t i, const Vec<Dim>& force) const { return inverseInertia(i) * force; }
 
     double dt_;
     Field<double>& mass_;

@@ -15,9 +15,9 @@ CASE = "dam_break_elastic_gate_2d"
 U_LIMIT = 0.10
 V_LIMIT = 0.20
 U_TIME = (0.11, 0.18)
-# Root of the mean square of the deviation to 0.36 s at 4 across, in mm: what it converges to (README.md), 5.3
-# at 4 and 5.9 at 8. And of both clampings there.
-RMS_LIMIT = 6.4
+# Root of the mean square of the deviation to 0.36 s, in mm: what it converges to (README.md), 6.1 at 4 across
+# and 7.1 at 8. And of both clampings there.
+RMS_LIMIT = 8.1
 APART_LIMIT = 0.6
 # After 200 acoustic steps. A difference in the last bit of a position shows at 1e-9 of a gradient where
 # it tips its rounding in the neighbor lists. Measured: 2e-11.
@@ -53,9 +53,8 @@ def clamping_difference(report):
 def opens_as_measured(report, found, across):
     report.check("largest u [mm]", found["u_max"], 46.0 * (1 - U_LIMIT), 46.0 * (1 + U_LIMIT))
     report.check("time of the largest u [s]", found["t_max"], *U_TIME)
-    if across == 4:
-        report.check("rms of u less the experiment [mm]", found["rms"], 0, RMS_LIMIT)
-    else:
+    report.check("rms of u less the experiment [mm]", found["rms"], 0, RMS_LIMIT)
+    if across > 4:
         report.check("largest v [mm]", found["v_max"], 17.1 * (1 - V_LIMIT), 17.1 * (1 + V_LIMIT))
 
 

@@ -11,9 +11,9 @@ import checks
 CASE = "hydrostatic_plate_fsi_2d"
 EXACT = 7.040e-5
 SETTLED = 0.4  # as in the case
-# Measured +17.6 % at h/4 and +4.9 % at h/8, peaks of 3.7 and 1.6 % (README.md).
-LIMIT = {4: 0.20, 8: 0.08}
-PEAK = 0.10
+# Measured +9.6 % at h/4 and +2.5 % at h/8, peaks of 1.1 and 2.5 %, 3.7 at h/6 (README.md).
+LIMIT = {4: 0.12, 8: 0.05}
+PEAK = 0.06
 
 
 def measure(across):

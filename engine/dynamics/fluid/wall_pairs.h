@@ -32,10 +32,10 @@ inline FluidSide<Dim, Lanes> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, doub
     return fluid;
 }
 
-/// Direction along which the fluid meets the wall particles of eight pairs, whichever way it points.
+/// Direction along which the fluid meets the wall particles of eight pairs, whichever way it
+/// points.
 template <int Dim>
-inline void gatherNormals(const WallFields<Dim>& fields, const Pairs<Dim>& pair,
-                          Lanes (&n)[Dim]) {
+inline void gatherNormals(const WallFields<Dim>& fields, const Pairs<Dim>& pair, Lanes (&n)[Dim]) {
     if (fields.elastic)
         for (int c = 0; c < Dim; ++c) n[c] = pair.gradient[c] * pair.inverse_dW;
     else
@@ -129,9 +129,9 @@ inline void addImpedance(const WallFields<Dim>& fields, const NeighborList<Dim>&
     });
 }
 
-/// Adds the impulse on one fluid particle i by which the slips s_j of an elastic solid are answered,
-/// 2 rho0 c0 sum_j abs(W') e_ij (e_ij . s_j) V_i V_j: what the solid has lost by its impedance.
-/// Without the factor 2 rho0 c0, in the given gradient unit.
+/// Adds the impulse on one fluid particle i by which the slips s_j of an elastic solid are
+/// answered, 2 rho0 c0 sum_j abs(W') e_ij (e_ij . s_j) V_i V_j: what the solid has lost by its
+/// impedance. Without the factor 2 rho0 c0, in the given gradient unit.
 template <int Dim>
 inline void addSlipImpulse(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                            std::size_t i, double V, double unit, ExactSums<Dim>& sum) {

@@ -214,7 +214,8 @@ TEMPLATE_TEST_CASE_SIG(
                     water.scalar(fields::density_rate)[i] / water.scalar(fields::density)[i];
     }
     for (std::size_t j = 0; j < gate.size(); ++j)
-        work += gate.vector(fields::pressure_force)[j].dot(gate.vector(fields::average_velocity)[j]);
+        work +=
+            gate.vector(fields::pressure_force)[j].dot(gate.vector(fields::average_velocity)[j]);
     CHECK(std::abs(work) > 1e-3 * std::abs(internal));
     CHECK(std::abs(kinetic + internal + work) < 1e-5 * std::abs(work));
 }
@@ -254,8 +255,9 @@ TEMPLATE_TEST_CASE_SIG("what answers an elastic body in its steps is taken from 
     CHECK((momentum() - before).norm() < 1e-13 * meeting.momentum().norm());
 }
 
-TEMPLATE_TEST_CASE_SIG("a particle takes the velocity that fluids have seen, the sooner the lighter",
-                       "", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG(
+    "a particle takes the velocity that fluids have seen, the sooner the lighter", "",
+    ((int Dim), Dim), 2, 3) {
     Meeting<Dim> meeting;
     const auto pressure = meeting.pressure("none");
     const auto load = meeting.handOn("fsi.pressure_force");

@@ -9,9 +9,9 @@
 
 // The terms of the acoustic step between a fluid particle and a dummy particle of a wall: one-sided
 // Riemann problem along the wall's normal, Zhang, Hu & Adams 2017, doi:10.1016/j.jcp.2017.01.027.
-// An elastic solid is met along e_ij in place of its normal: pressure pushes along e_ij, and only if
-// the density counts the motion of the solid along the same line is the work of the pressure on the
-// solid taken from the fluid. A rigid wall does as it is told whatever the work, and the normal
+// An elastic solid is met along e_ij in place of its normal: pressure pushes along e_ij, and only
+// if the density counts the motion of the solid along the same line is the work of the pressure on
+// the solid taken from the fluid. A rigid wall does as it is told whatever the work, and the normal
 // leaves a fluid that slides along it alone.
 // Number is double for one pair or Lanes for eight. The fluid's and the wall's side get the same
 // numbers, so what one loses the other gains. In a pair e_ij points from the wall to the fluid.
