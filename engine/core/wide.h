@@ -25,6 +25,7 @@ struct Wide {
     Wide& operator*=(Wide b) { return at *= b.at, *this; }
     Wide& operator/=(Wide b) { return at /= b.at, *this; }
     friend Wide operator+(Wide a, Wide b) { return a.at + b.at; }
+    friend Wide operator-(Wide a) { return -a.at; }
     friend Wide operator-(Wide a, Wide b) { return a.at - b.at; }
     friend Wide operator*(Wide a, Wide b) { return a.at * b.at; }
     friend Wide operator/(Wide a, Wide b) { return a.at / b.at; }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/parallel.h"
-#include "dynamics/words.h"
+#include "dynamics/group.h"
 
 #include <Eigen/LU>
 
@@ -22,58 +21,67 @@ namespace sphinx::dynamics {
 /// feeds every vibration of more than a few radians a step, and whatever is lighter than the fluid
 /// it moves.
 ///
-/// Constraints that act between the halves move the inertia m + dt Z. To be made for one step of a
-/// body: where no fluid pushes it nobody makes the fields, and all is as without them.
+/// Constraints that act between the halves move the inertia m + dt Z.
 template <int Dim>
 class Radiation {
  public:
-    Radiation(ParticleSet<Dim>& particles, double dt)
-        : dt_(dt),
+    explicit Radiation(ParticleSet<Dim>& particles)
+        : particles_(&particles),
           mass_(particles.scalar(fields::mass)),
-          velocity_(particles.vector(fields::velocity)) {
-        if (!particles.find(fields::radiation_impedance.name)) return;
-        impedance_ = &particles.matrix(fields::radiation_impedance);
-        seen_ = &particles.vector(fields::average_velocity);
-        slip_ = &particles.vector(fields::slip);
+          velocity_(particles.vector(fields::velocity)) {}
+
+    /// What follows is about a step of the body by dt. Where no fluid pushes it nobody has made the
+    /// fields, and all is as without them.
+    void begin(double dt) {
+        dt_ = dt;
+        if (looked_) return;
+        looked_ = true;
+        if (!particles_->find(fields::radiation_impedance.name)) return;
+        impedance_ = &particles_->matrix(fields::radiation_impedance);
+        seen_ = &particles_->vector(fields::average_velocity);
+        slip_ = &particles_->vector(fields::slip);
     }
 
-    /// Velocities and accelerations that have had the kick without the answer get it.
-    void answer(Field<Vec<Dim>>& acceleration) {
-        if (!impedance_) return;
-        parallelFor(velocity_.size(), [&](std::size_t i) {
-            if (!acts(i)) return;
-            const Vec<Dim> a = moved(i, (*impedance_)[i] * ((*seen_)[i] - velocity_[i]));
-            acceleration[i] += a;
-            velocity_[i] += dt_ * a;
-        });
+    bool acts() const { return impedance_ != nullptr; }
+    /// Where it acts: what the answer adds to the acceleration of particles whose velocity is v
+    /// after the kick without it.
+    VecOf<Dim, Wide> answer(const Group& group, const VecOf<Dim, Wide>& v) const {
+        const MatOf<Dim, Wide> Z = load(*impedance_, group);
+        const MatOf<Dim, Wide> inertia =
+            load(mass_, group) * MatOf<Dim, Wide>::Identity() + dt_ * Z;
+        return inertia.inverse() * (Z * (load(*seen_, group) - v));
     }
     /// Once constraints have acted.
     void addSlip() {
-        if (!impedance_) return;
-        parallelFor(velocity_.size(), [&](std::size_t i) {
-            if (acts(i)) (*slip_)[i] += dt_ * (velocity_[i] - (*seen_)[i]);
+        if (!acts()) return;
+        parallelForGroups(velocity_.size(), [&](const Group& group) {
+            const VecOf<Dim, Wide> passed = dt_ * (load(velocity_, group) - load(*seen_, group));
+            const Wide answered = load(*impedance_, group).trace();
+            VecOf<Dim, Wide> slip = load(*slip_, group);
+            for (int c = 0; c < Dim; ++c) slip[c] += select(answered > 0, passed[c], 0);
+            store(slip, *slip_, group);
         });
     }
 
     /// Acceleration by a force that comes on top.
     Vec<Dim> acceleration(std::size_t i, const Vec<Dim>& force) const {
-        return acts(i) ? moved(i, force) : Vec<Dim>(force / mass_[i]);
+        return acts(i) ? Vec<Dim>(inertia(i).inverse() * force) : Vec<Dim>(force / mass_[i]);
     }
     /// Gives the velocity of a particle the values that are imposed on some of its components.
     /// Returns the force that does it, which has no others.
     Vec<Dim> impose(std::size_t i, const std::array<bool, Dim>& imposed, const Vec<Dim>& value);
 
  private:
-    bool acts(std::size_t i) const { return impedance_ && (*impedance_)[i].trace() > 0; }
-    Mat<Dim> inverseInertia(std::size_t i) const {
-        const Mat<Dim> inertia = mass_[i] * Mat<Dim>::Identity() + dt_ * (*impedance_)[i];
-        return inertia.inverse();
+    bool acts(std::size_t i) const { return acts() && (*impedance_)[i].trace() > 0; }
+    Mat<Dim> inertia(std::size_t i) const {
+        return mass_[i] * Mat<Dim>::Identity() + dt_ * (*impedance_)[i];
     }
-    Vec<Dim> moved(std::size_t i, const Vec<Dim>& force) const { return inverseInertia(i) * force; }
 
-    double dt_;
+    ParticleSet<Dim>* particles_;
     Field<double>& mass_;
     Field<Vec<Dim>>& velocity_;
+    double dt_ = 0;
+    bool looked_ = false;
     const Field<Mat<Dim>>* impedance_ = nullptr;  // null: no fluids
     const Field<Vec<Dim>>* seen_ = nullptr;
     Field<Vec<Dim>>* slip_ = nullptr;
@@ -84,20 +92,25 @@ Vec<Dim> Radiation<Dim>::impose(std::size_t i, const std::array<bool, Dim>& impo
                                 const Vec<Dim>& value) {
     Vec<Dim>& v = velocity_[i];
     Vec<Dim> change = Vec<Dim>::Zero();
+    int count = 0;
     for (int c = 0; c < Dim; ++c)
-        if (imposed[static_cast<std::size_t>(c)]) change[c] = value[c] - v[c];
-    Vec<Dim> force = mass_[i] * change / dt_;
-    if (acts(i)) {
-        // Rows of a free component say that it gets no force.
-        const Mat<Dim> inverse = inverseInertia(i);
-        Mat<Dim> rows = Mat<Dim>::Identity();
-        for (int c = 0; c < Dim; ++c)
-            if (imposed[static_cast<std::size_t>(c)]) rows.row(c) = dt_ * inverse.row(c);
-        force = rows.inverse() * change;
-        v += dt_ * (inverse * force);
-    }
+        if (imposed[static_cast<std::size_t>(c)]) {
+            change[c] = value[c] - v[c];
+            v[c] = value[c];
+            ++count;
+        }
+    if (!acts(i)) return mass_[i] / dt_ * change;
+    const Mat<Dim> inertia = this->inertia(i);
+    if (count == Dim) return inertia * change / dt_;
+    // Rows of a free component say that it gets no force.
+    const Mat<Dim> inverse = inertia.inverse();
+    Mat<Dim> rows = Mat<Dim>::Identity();
     for (int c = 0; c < Dim; ++c)
-        if (imposed[static_cast<std::size_t>(c)]) v[c] = value[c];
+        if (imposed[static_cast<std::size_t>(c)]) rows.row(c) = dt_ * inverse.row(c);
+    const Vec<Dim> force = rows.inverse() * change;
+    const Vec<Dim> moved = dt_ * (inverse * force);
+    for (int c = 0; c < Dim; ++c)
+        if (!imposed[static_cast<std::size_t>(c)]) v[c] += moved[c];
     return force;
 }
 

@@ -37,6 +37,7 @@ class Clamp final : public PartMethod<Support, Dim> {
           velocity_(body_->particles.vector(fields::velocity)),
           acceleration_(body_->particles.vector(fields::acceleration)),
           outer_(body_->particles),
+          radiation_(body_->particles),
           mass_(body_->particles.scalar(fields::mass)) {}
     void announce() override { this->part().mirror(); }
     void prepare() override { findImages(); }
@@ -57,6 +58,7 @@ class Clamp final : public PartMethod<Support, Dim> {
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& acceleration_;
     OuterForces<Dim> outer_;
+    Radiation<Dim> radiation_;
     Field<double>& mass_;
 };
 
@@ -75,14 +77,14 @@ void Clamp<Dim>::run(const Clock& clock) {
         const auto load = [&](Index i) -> Vec<Dim> {
             return mass_[i] * outer_.external[i] + outer_.pressure[i] + outer_.viscous[i];
         };
-        const Radiation<Dim> radiation(body_->particles, clock.dt);
+        radiation_.begin(clock.dt);
         Load<Dim> reaction;
         for (const Index i : images_) reaction.add(position_[i], -mass_[i] * acceleration_[i]);
         for (const ImageLink& link : links_) {
             const Index i = link.image;
             const Vec<Dim> force = link.weight * (mass_[i] * acceleration_[i] - load(i));
             reaction.add(position_[link.real], force);
-            const Vec<Dim> a = radiation.acceleration(link.real, force);
+            const Vec<Dim> a = radiation_.acceleration(link.real, force);
             acceleration_[link.real] += a;
             velocity_[link.real] += clock.dt * a;
         }

@@ -24,15 +24,15 @@ void declareFix(input::Registry& registry) {
     using P = FixParameters;
     auto& d = declarePartMethod<Support, P>(
         registry, "constraint.fix", []<int Dim>(const P& p, const Part<Dim>& whole, Context<Dim>&) {
-            ParticleSet<Dim>& particles = whole.body().particles;
-            auto& velocity = particles.vector(fields::velocity);
+            auto& velocity = whole.body().particles.vector(fields::velocity);
             std::array<bool, Dim> fixed;
             fixed.fill(p.directions.empty());
             for (const int axis : p.directions) fixed[static_cast<std::size_t>(axis)] = true;
-            return [&particles, &velocity, fixed](const Clock& clock, KnownLoad<Dim>& load) {
+            return [&velocity, fixed, radiation = Radiation<Dim>(whole.body().particles)](
+                       const Clock& clock, KnownLoad<Dim>& load) mutable {
                 const Part<Dim>& part = load.part();
                 AlignedVector<Vec<Dim>>& force = load.forces();
-                Radiation<Dim> radiation(particles, clock.dt);
+                radiation.begin(clock.dt);
                 parallelFor(part.size(), [&](std::size_t n) {
                     const std::size_t i = part[n];
                     if (!clock.is_start) {

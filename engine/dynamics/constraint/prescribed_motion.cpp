@@ -50,10 +50,15 @@ template <int Dim>
 class PrescribedSolidMotion final : public PrescribedMotion<Dim>, public Support<Dim> {
  public:
     PrescribedSolidMotion(Context<Dim>& context, const PrescribedMotionParameters& p)
-        : PrescribedMotion<Dim>(context, p), Support<Dim>(this->part_) {}
+        : PrescribedMotion<Dim>(context, p),
+          Support<Dim>(this->part_),
+          radiation_(this->part_.body().particles) {}
     void run(const Clock& clock) override;
     void rest() override { this->setLoad({}); }
     void transfer(Archive& archive) override { this->transferLoad(archive); }
+
+ private:
+    Radiation<Dim> radiation_;
 };
 
 /// Of a rigid body, at the start of a step: the position R + u(t + dt) at its end, and velocity and
@@ -116,7 +121,7 @@ void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
     if (clock.is_start) return;
     const double dt = clock.dt;
     auto& position = this->position_;
-    Radiation<Dim> radiation(this->part_.body().particles, dt);
+    radiation_.begin(dt);
     const auto before = this->motion_.at(clock.time);
     const auto after = this->motion_.at(clock.time + dt);
     AlignedVector<Vec<Dim>>& force = this->forces();
@@ -130,7 +135,7 @@ void PrescribedSolidMotion<Dim>::run(const Clock& clock) {
             v[c] = (u - before(start, c)) / dt;
             position[i][c] = start[c] + u - 0.5 * dt * v[c];
         }
-        force[n] = radiation.impose(i, this->moves(), v);
+        force[n] = radiation_.impose(i, this->moves(), v);
         return !force[n].allFinite();
     });
     if (spoilt > 0) this->requireFinite({clock.time, clock.time + dt});

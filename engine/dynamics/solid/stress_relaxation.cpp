@@ -45,6 +45,7 @@ class StressRelaxation final : public Method {
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& acceleration_;
     OuterForces<Dim> outer_;
+    Radiation<Dim> radiation_;
     Field<double>& mass_;
     Field<double>& volume_;
 };
@@ -58,6 +59,7 @@ StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, const StressRelax
       velocity_(body_->particles.vector(fields::velocity)),
       acceleration_(body_->particles.vector(fields::acceleration)),
       outer_(body_->particles),
+      radiation_(body_->particles),
       mass_(body_->particles.scalar(fields::mass)),
       volume_(body_->particles.scalar(fields::volume)) {}
 
@@ -66,23 +68,29 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
     const double dt = clock.dt;
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
     deformation_.firstHalf(clock, damping_);
+    radiation_.begin(dt);
     parallelForGroups(body_->size(), [&](const Group& group) {
         using Vector = VecOf<Dim, Wide>;
         const Vector force = load(volume_, group) * deformation_.stressDivergence(group) +
                              load(outer_.pressure, group) + load(outer_.viscous, group);
-        const Vector a = force / load(mass_, group) + load(outer_.external, group);
+        Vector a = force / load(mass_, group) + load(outer_.external, group);
+        Vector v = load(velocity_, group) + dt * a;
+        if (radiation_.acts()) {
+            const Vector answer = radiation_.answer(group, v);
+            a += answer;
+            v += dt * answer;
+        }
         store(a, acceleration_, group);
-        const Vector v = load(velocity_, group) + dt * a;
         store(v, velocity_, group);
     });
-    Radiation<Dim>(body_->particles, dt).answer(acceleration_);
     ++body_->version;
 }
 
 template <int Dim>
 void StressRelaxation<Dim>::secondHalf(const Clock& clock) {
     const double dt = clock.dt;
-    Radiation<Dim>(body_->particles, dt).addSlip();
+    radiation_.begin(dt);
+    radiation_.addSlip();
     deformation_.secondHalf(dt);
     parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
     ++body_->version;
