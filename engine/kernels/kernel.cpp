@@ -6,6 +6,15 @@
 
 namespace sphinx::kernels {
 
+const char* kernelName(KernelType type) {
+    switch (type) {
+        case KernelType::cubic_spline: return "cubic_spline";
+        case KernelType::quintic_spline: return "quintic_spline";
+        case KernelType::wendland_c2: break;
+    }
+    return "wendland_c2";
+}
+
 template <int Dim>
 double Kernel<Dim>::cutoff() const {
     return withKernel<Dim>(type_, [&]<class K>() { return K::reach * h_; });

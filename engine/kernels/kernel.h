@@ -9,6 +9,8 @@
 namespace sphinx::kernels {
 
 enum class KernelType { wendland_c2, cubic_spline, quintic_spline };
+/// As cases write it.
+const char* kernelName(KernelType type);
 
 /// A smoothing kernel W(r, h) = sigma/h^Dim w(q), q = r/h, with compact support r < rc = reach * h.
 /// `w` is the shape and dwOverQ its derivative by q, divided by q: what a gradient is made of, for

@@ -9,10 +9,10 @@
 namespace sphinx::neighbors {
 namespace {
 
-/// Both directions of a pair of different smoothing lengths use the larger.
+/// Both directions of a pair of different kernels use that of the larger reach.
 template <int Dim>
 const kernels::Kernel<Dim>& commonKernel(const bodies::Body<Dim>& a, const bodies::Body<Dim>& b) {
-    return a.kernel.smoothingLength() >= b.kernel.smoothingLength() ? a.kernel : b.kernel;
+    return a.kernel.cutoff() >= b.kernel.cutoff() ? a.kernel : b.kernel;
 }
 
 }  // namespace

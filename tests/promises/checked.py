@@ -41,7 +41,7 @@ class Checked(Promise):
 
     def test_volume_and_mass(self):
         _, line = self.block(box={"lower": [0, 0], "upper": [1, 1]})
-        self.assertEqual(line, "  water: 100 particles, spacing 0.1 m, h 0.13 m, volume 1 m^3, mass 1000 kg")
+        self.assertEqual(line, "  water: 100 particles, spacing 0.1 m, quintic_spline with h 0.1 m, volume 1 m^3, mass 1000 kg")
         said, line = self.block(circle={"center": [0.5, 0.5], "radius": 0.5})
         self.assertRegex(line, r"volume 0\.8 m\^3, mass 800 kg \(its shape: 0\.785398 m\^3\)")
         self.assertRegex(said, r"warning: the particles of water have \+1\.9 % of the volume of its shape, "
@@ -104,7 +104,8 @@ class Checked(Promise):
                                            r"fall on opposite faces of the body moves by half a spacing")
         case["geometry"] = {"block": {"polygon": [[0, 0], [1, 0], [1, 1]]}}
         self.assertRegex(self.check(case), r"warning: since version 2 of the language a lattice point on the surface")
-        self.assertNotIn("since version", self.check({**BLOCK, "sphinx": 1}))
+        self.assertNotIn("since version", self.check(
+            {**BLOCK, "sphinx": 1, "resolution": {"spacing": 0.1, "smoothing_ratio": 1.3}}))
 
 
 class Named(Promise):

@@ -148,7 +148,7 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
         if (!source.shape.empty()) body->shape = model.findShape(source.shape.text)->as<Dim>();
         body->spacing = source.spacing(model.resolution);
         const double h = source.smoothingRatio(model.resolution) * body->spacing;
-        body->kernel = kernels::Kernel<Dim>(model.resolution.kernel, h, body->spacing);
+        body->kernel = kernels::Kernel<Dim>(source.kernel(model.resolution), h, body->spacing);
         for (const model::Part& part : source.parts)
             body->parts.push_back({part.name, {}, model.findShape(part.shape.text)->as<Dim>()});
         if (particles || source.role == bodies::Role::observer)

@@ -65,6 +65,30 @@ std::vector<input::Place> elasticWithoutRatio(const model::Case& model) {
     return places;
 }
 
+/// Fluids whose kernel and smoothing ratio are the defaults.
+std::vector<input::Place> fluidsWithoutKernel(const model::Case& model) {
+    std::vector<input::Place> places;
+    if (model.resolution.smoothing_ratio) return places;
+    for (const model::Body& body : model.bodies)
+        if (body.role == bodies::Role::fluid && !body.resolution.smoothing_ratio)
+            places.push_back(body.place);
+    return places;
+}
+
+/// Time steps of fluids with the quintic spline whose factor is the default.
+std::vector<input::Place> stepsOfQuinticSpline(const model::Case& model) {
+    std::vector<input::Place> places;
+    if (model.resolution.kernel != kernels::KernelType::quintic_spline) return places;
+    for (const input::Component& method : model.dynamics) {
+        const std::string& type = method.declaration->name();
+        if (type != "fluid.acoustic_time_step" && type != "fluid.advection_time_step") continue;
+        if (std::ranges::none_of(method.parameter_places,
+                                 [](const auto& given) { return given.first == "cfl"; }))
+            places.push_back(method.place);
+    }
+    return places;
+}
+
 /// Pressures of fluids on elastic bodies.
 std::vector<input::Place> couplings(const model::Case& model) {
     std::vector<input::Place> places;
@@ -98,6 +122,11 @@ std::span<const LanguageChange> languageChanges() {
          "not a half (2D) or a third (3D) of it"},
         {2, true, elasticWithoutRatio,
          "the default smoothing_ratio of elastic bodies is 0.85, not 1.3"},
+        {2, true, fluidsWithoutKernel,
+         "the kernel of fluids is quintic_spline with a smoothing_ratio of 1 where neither is "
+         "stated, not wendland_c2 with 1.3, and the default ratio of wendland_c2 is 1.5"},
+        {2, true, stepsOfQuinticSpline,
+         "the default cfl of fluids with quintic_spline is 0.78 and 0.325, not 0.6 and 0.25"},
         {2, true, sumsWithFreeSurface,
          "a fluid with a free surface bears no tension at walls and where it has no support, and "
          "inside its density by summation is corrected in both directions, little at a time"},

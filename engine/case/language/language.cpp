@@ -16,16 +16,16 @@ using namespace input;
 
 void registerKernels(Registry& registry) {
     struct NoParameters {};
-    const auto declare = [&](const char* name, kernels::KernelType type, const char* summary,
-                             const char* formula, const char* source) {
-        auto& d = registry.declare<NoParameters>(Kind::kernel, name);
+    const auto declare = [&](kernels::KernelType type, const char* summary, const char* formula,
+                             const char* source) {
+        auto& d = registry.declare<NoParameters>(Kind::kernel, kernels::kernelName(type));
         d.summary(summary).formula(formula).cite(source).builder(type);
     };
-    declare("wendland_c2", kernels::KernelType::wendland_c2,
-            "Wendland C2, reach 2h; does not pair up", "(1 - q/2)^4 (2q + 1)", "Wendland 1995");
-    declare("cubic_spline", kernels::KernelType::cubic_spline, "Cubic spline (M4), reach 2h",
+    declare(kernels::KernelType::wendland_c2, "Wendland C2, reach 2h; does not pair up",
+            "(1 - q/2)^4 (2q + 1)", "Wendland 1995");
+    declare(kernels::KernelType::cubic_spline, "Cubic spline (M4), reach 2h",
             "((2 - q)^3 - 4 (1 - q)^3)/4 with positive parts", "Monaghan & Lattanzio 1985");
-    declare("quintic_spline", kernels::KernelType::quintic_spline, "Quintic spline (M6), reach 3h",
+    declare(kernels::KernelType::quintic_spline, "Quintic spline (M6), reach 3h",
             "(3 - q)^5 - 6 (2 - q)^5 + 15 (1 - q)^5 with positive parts", "Morris, Fox & Zhu 1997");
 }
 
@@ -66,11 +66,12 @@ void declareResolution(Registry& registry) {
     d.required("spacing", &P::spacing, number(unit::length).above(0),
                "reference distance of neighboring particles dp");
     d.optional("smoothing_ratio", &P::smoothing_ratio, number(unit::none).atLeast(0.8).atMost(4),
-               fmt::format("smoothing length h / dp of all bodies that state none; default: {} of "
-                           "elastic bodies, {} of others",
-                           model::defaultSmoothingRatio(bodies::Role::elastic),
-                           model::defaultSmoothingRatio(bodies::Role::fluid)));
-    d.optional("kernel", &P::kernel, kernel(registry), "smoothing kernel");
+               "smoothing length h / dp of all bodies that state none; default: 0.85 of elastic "
+               "bodies, of others 1 with quintic_spline, 1.5 with wendland_c2, 1.35 with "
+               "cubic_spline");
+    d.optional("kernel", &P::kernel, kernel(registry),
+               "smoothing kernel of all bodies; default: quintic_spline, of elastic bodies and "
+               "where only a smoothing_ratio is stated wendland_c2");
 }
 
 void declareDomain(Registry& registry) {

@@ -25,11 +25,8 @@ class KernelNameType final : public TypeBase {
         return true;
     }
     Node write(const void* value, const Node* source) const override {
-        for (const std::string& name : registry_.names(Kind::kernel))
-            if (registry_.find(Kind::kernel, name)->builder<kernels::KernelType>() ==
-                *static_cast<const kernels::KernelType*>(value))
-                return Node::plain(name).at(source ? source->place : Place{});
-        return {};
+        const char* name = kernels::kernelName(*static_cast<const kernels::KernelType*>(value));
+        return Node::plain(name).at(source ? source->place : Place{});
     }
     Node schema(SchemaBuilder&) const override {
         Node schema = Node::map();

@@ -21,7 +21,13 @@ double Body::spacing(const Resolution& reference) const {
 
 double Body::smoothingRatio(const Resolution& reference) const {
     if (resolution.smoothing_ratio) return *resolution.smoothing_ratio;
-    return reference.smoothing_ratio.value_or(defaultSmoothingRatio(role));
+    if (reference.smoothing_ratio) return *reference.smoothing_ratio;
+    return defaultSmoothingRatio(role, kernel(reference));
+}
+
+kernels::KernelType Body::kernel(const Resolution& reference) const {
+    if (reference.kernel) return *reference.kernel;
+    return defaultKernel(role, reference.smoothing_ratio || resolution.smoothing_ratio);
 }
 
 namespace {

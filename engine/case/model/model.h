@@ -29,9 +29,9 @@ using input::Name;
 using input::Place;
 
 struct Resolution {
-    double spacing = 0;                     ///< reference spacing dp, length
-    std::optional<double> smoothing_ratio;  ///< h / dp; without: that of smoothing.h
-    kernels::KernelType kernel = kernels::KernelType::wendland_c2;
+    double spacing = 0;                         ///< reference spacing dp, length
+    std::optional<double> smoothing_ratio;      ///< h / dp; without: that of smoothing.h
+    std::optional<kernels::KernelType> kernel;  ///< without: that of smoothing.h
 };
 
 struct Domain {
@@ -99,6 +99,7 @@ struct Body {
 
     double spacing(const Resolution& reference) const;
     double smoothingRatio(const Resolution& reference) const;
+    kernels::KernelType kernel(const Resolution& reference) const;
 };
 
 /// One body that another sees.

@@ -4,8 +4,21 @@
 
 namespace sphinx::model {
 
-double defaultSmoothingRatio(bodies::Role role) {
-    return role == bodies::Role::elastic ? 0.85 : 1.3;
+using kernels::KernelType;
+
+KernelType defaultKernel(bodies::Role role, bool has_ratio) {
+    return has_ratio || role == bodies::Role::elastic ? KernelType::wendland_c2
+                                                      : KernelType::quintic_spline;
+}
+
+double defaultSmoothingRatio(bodies::Role role, KernelType kernel) {
+    if (role == bodies::Role::elastic) return 0.85;
+    switch (kernel) {
+        case KernelType::quintic_spline: return 1;
+        case KernelType::cubic_spline: return 1.35;
+        case KernelType::wendland_c2: break;
+    }
+    return 1.5;
 }
 
 }  // namespace sphinx::model

@@ -186,8 +186,9 @@ CheckReport check(const model::Case& model) {
     std::string out = "bodies\n";
     for (const auto& body : world->bodies) {
         const auto lattice = lattices.find(body->name);
-        out += fmt::format("  {}: {} particles, spacing {}, h {}{}{}\n", body->name, body->size(),
-                           world->quantityText(body->spacing, unit::length),
+        out += fmt::format("  {}: {} particles, spacing {}, {} with h {}{}{}\n", body->name,
+                           body->size(), world->quantityText(body->spacing, unit::length),
+                           kernels::kernelName(body->kernel.type()),
                            world->quantityText(body->kernel.smoothingLength(), unit::length),
                            massText(*world, *body),
                            lattice == lattices.end() ? "" : latticeText(lattice->second));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sphinx::dynamics::fluid {
 namespace {
@@ -14,8 +15,13 @@ namespace {
 struct AdvectionTimeStepParameters {
     input::Name body;
     double reference_speed = 0;  ///< velocity; keeps the step finite while the fluid is at rest
-    double cfl = 0.25;
+    std::optional<double> cfl;
 };
+
+/// A third of a spacing with the kernels' customary smoothing lengths.
+double advectionCfl(kernels::KernelType kernel) {
+    return kernel == kernels::KernelType::quintic_spline ? 0.325 : 0.25;
+}
 
 }  // namespace
 
@@ -25,11 +31,12 @@ void declareAdvectionTimeStep(input::Registry& registry) {
         registry, "fluid.advection_time_step", []<int Dim>(const P& p, Body<Dim>& body) {
             const materials::Fluid& fluid = *body.fluid().material;
             const double nu = fluid.viscosity() / fluid.density();
-            return [&, p, nu] {
+            const double cfl = p.cfl.value_or(advectionCfl(body.kernel.type()));
+            return [&, p, nu, cfl] {
                 const double speed2 = largestSquaredSpeed(body);
                 const double h = body.kernel.smoothingLength();
                 const double step = h / std::max(std::sqrt(speed2), p.reference_speed);
-                return p.cfl * (nu > 0 ? std::min(step, h * h / nu) : step);
+                return cfl * (nu > 0 ? std::min(step, h * h / nu) : step);
             };
         });
     d.summary("Time step by advection and viscosity");
@@ -38,7 +45,8 @@ void declareAdvectionTimeStep(input::Registry& registry) {
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.required("reference_speed", &P::reference_speed, input::number(unit::velocity).above(0),
                "typical speed of the flow; keeps the step finite while the fluid is at rest");
-    d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1), "factor");
+    d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1),
+               "factor; default: 0.25, with quintic_spline 0.325, whose h is the smaller");
     d.timeStep("").reads("body", {"velocity"});
 }
 

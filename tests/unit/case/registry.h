@@ -23,7 +23,7 @@ inline std::string blockOfWater(int version) {
     return "sphinx: " + std::to_string(version) + R"yaml(
 dimension: 2
 units: none
-resolution: {spacing: 0.1}
+resolution: {spacing: 0.1, smoothing_ratio: 1.3}
 geometry: {block: {box: {lower: [0, 0], upper: [1, 1]}}}
 materials: {water: {type: weakly_compressible_fluid, density: 1, sound_speed: 10}}
 bodies: {water: {kind: fluid, shape: block, material: water}}
