@@ -18,9 +18,9 @@ SPACING = 0.01
 FALL = 0.02  # from rest of the lowest point to the solid, besides the speed at the start
 GRAVITY, DENSITY = 9.81, 1000.0
 # Of the kinetic energy at impact, that the energy of a drop rises above the least it had before. Measured:
-# 4e-4 on the post of four rows, 2e-5 or less elsewhere.
+# 8e-4 past a wall in 3D, 3e-4 or less in 2D.
 RISE_LIMIT = 1e-3
-# What falls along the end of a plate of one row, whose last particle has one normal for three faces: measured 2.5e-2.
+# What falls along the end of a plate of one row, whose last particle has one normal for three faces: measured 2.3e-2.
 RISE_LIMIT_ONE_ROW = 0.05
 
 

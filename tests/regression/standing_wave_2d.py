@@ -18,7 +18,7 @@ PERIODS = 5
 
 # Measured at H/12.5, H/25 and H/50: README.md. The issue with fewer neighbors is described there.
 PERIOD_LIMIT = 0.005
-AMPLITUDE_LIMITS = {0.04: 0.75, 0.02: 0.86}  # by spacing
+AMPLITUDE_LIMITS = {0.04: 0.83, 0.02: 0.95}  # by spacing
 
 
 def amplitudes(run):
