@@ -7,12 +7,17 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <limits>
 
 namespace sphinx::dynamics::solid {
 namespace {
 
 /// Of the nearest neighbors, over the spacing: those along the axes of the lattice.
 constexpr double nearest = 1.1;
+/// Of the least distance between two that have not changed places. When no particle moves by more
+/// than u, r_ij changes by 2 u at most, and F_ij R_ij by about 4 u: it is a sum over differences of
+/// 2 u whose weights, abs(g_ij) R_ij, add up to 2.
+constexpr double safe = 1.0 / 8;
 
 }  // namespace
 
@@ -25,8 +30,8 @@ NeighborOrder<Dim>::NeighborOrder(const World<Dim>& world, Relations<Dim>& relat
       relations_(&relations) {}
 
 template <int Dim>
-void NeighborOrder<Dim>::findPairs() {
-    if (!watch_.hasChanged(body_->particles)) return;
+bool NeighborOrder<Dim>::findPairs() {
+    if (!watch_.hasChanged(body_->particles)) return false;
     relations_->build(*relation_);
     pairs_.clear();
     const auto& start = body_->particles.vector(fields::initial_position);
@@ -40,27 +45,44 @@ void NeighborOrder<Dim>::findPairs() {
                 pairs_.push_back({static_cast<Index>(i), j, R});
         });
     }
+    return true;
 }
 
 template <int Dim>
-void NeighborOrder<Dim>::check(const Clock& clock) {
-    findPairs();
+NeighborOrder<Dim>::Found NeighborOrder<Dim>::look() const {
     const auto& position = body_->particles.position();
     const auto& gradient = body_->particles.matrix(fields::deformation_gradient);
-    const auto turned = [&](const Pair& pair) {
-        const Vec<Dim> r = world_->domain.difference(position[pair.i], position[pair.j]);
-        return !(r.dot((gradient[pair.i] + gradient[pair.j]) * pair.distance) > 0);
-    };
     const std::size_t none = pairs_.size();
-    const std::size_t first = reduceAll(
-        pairs_.size(), none,
+    const Found all{none, std::numeric_limits<double>::infinity()};
+    return reduceAll(
+        pairs_.size(), all,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k)
-                if (turned(pairs_[k])) return k;
-            return none;
+            Found found = all;
+            for (std::size_t k = begin; k < end; ++k) {
+                const Pair& pair = pairs_[k];
+                const Vec<Dim> r = world_->domain.difference(position[pair.i], position[pair.j]);
+                const Vec<Dim> foretold =
+                    0.5 * (gradient[pair.i] + gradient[pair.j]) * pair.distance;
+                const double along = r.dot(foretold) / foretold.norm();
+                if (!(along > 0)) return Found{k, 0};
+                found.least = std::min(found.least, along);
+            }
+            return found;
         },
-        [](std::size_t a, std::size_t b) { return std::min(a, b); });
-    if (first != none) fail(pairs_[first], clock);
+        [](const Found& a, const Found& b) {
+            return Found{std::min(a.first, b.first), std::min(a.least, b.least)};
+        });
+}
+
+template <int Dim>
+void NeighborOrder<Dim>::check(const Clock& clock, double speed) {
+    // Twice, for what was faster within the step.
+    travelled_ += 2 * speed * clock.dt;
+    if (!findPairs() && travelled_ < allowed_) return;
+    const Found found = look();
+    if (found.first < pairs_.size()) fail(pairs_[found.first], clock);
+    travelled_ = 0;
+    allowed_ = safe * found.least;
 }
 
 template <int Dim>
