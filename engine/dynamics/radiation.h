@@ -18,8 +18,8 @@ namespace sphinx::dynamics {
 /// is taken at the end of the kick, m dv = f dt - Z (v - u) dt, so that it holds for any step. The
 /// fluid gets the impulse Z s of the slip s = sum (v - u) dt at the end of its own step: together
 /// they lose no momentum. Without it the pressure would be a spring that acts a step late, which
-/// feeds every vibration of more than a few radians a step, and whatever is lighter than the fluid
-/// it moves.
+/// feeds vibrations of more than a few tenths of a radian a step, and what is lighter than the
+/// fluid it moves.
 ///
 /// Constraints that act between the halves move the inertia m + dt Z.
 template <int Dim>
