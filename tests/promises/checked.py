@@ -41,7 +41,8 @@ class Checked(Promise):
 
     def test_volume_and_mass(self):
         _, line = self.block(box={"lower": [0, 0], "upper": [1, 1]})
-        self.assertEqual(line, "  water: 100 particles, spacing 0.1 m, quintic_spline with h 0.1 m, volume 1 m^3, mass 1000 kg")
+        self.assertEqual(line, "  water: 100 particles, spacing 0.1 m, quintic_spline with h 0.1 m, "
+                               "volume 1 m^3, mass 1000 kg")
         said, line = self.block(circle={"center": [0.5, 0.5], "radius": 0.5})
         self.assertRegex(line, r"volume 0\.8 m\^3, mass 800 kg \(its shape: 0\.785398 m\^3\)")
         self.assertRegex(said, r"warning: the particles of water have \+1\.9 % of the volume of its shape, "

@@ -55,24 +55,19 @@ std::vector<input::Place> hourglassControls(const model::Case& model) {
     return places;
 }
 
-/// Elastic bodies whose smoothing ratio is the default.
-std::vector<input::Place> elasticWithoutRatio(const model::Case& model) {
+/// Bodies of that role of which no smoothing ratio is stated.
+std::vector<input::Place> withoutRatio(const model::Case& model, bodies::Role role) {
     std::vector<input::Place> places;
     if (model.resolution.smoothing_ratio) return places;
     for (const model::Body& body : model.bodies)
-        if (body.role == bodies::Role::elastic && !body.resolution.smoothing_ratio)
-            places.push_back(body.place);
+        if (body.role == role && !body.resolution.smoothing_ratio) places.push_back(body.place);
     return places;
 }
-
-/// Fluids whose kernel and smoothing ratio are the defaults.
-std::vector<input::Place> fluidsWithoutKernel(const model::Case& model) {
-    std::vector<input::Place> places;
-    if (model.resolution.smoothing_ratio) return places;
-    for (const model::Body& body : model.bodies)
-        if (body.role == bodies::Role::fluid && !body.resolution.smoothing_ratio)
-            places.push_back(body.place);
-    return places;
+std::vector<input::Place> elasticWithoutRatio(const model::Case& model) {
+    return withoutRatio(model, bodies::Role::elastic);
+}
+std::vector<input::Place> fluidsWithoutRatio(const model::Case& model) {
+    return withoutRatio(model, bodies::Role::fluid);
 }
 
 /// Time steps of fluids with the quintic spline whose factor is the default.
@@ -122,7 +117,7 @@ std::span<const LanguageChange> languageChanges() {
          "not a half (2D) or a third (3D) of it"},
         {2, true, elasticWithoutRatio,
          "the default smoothing_ratio of elastic bodies is 0.85, not 1.3"},
-        {2, true, fluidsWithoutKernel,
+        {2, true, fluidsWithoutRatio,
          "the kernel of fluids is quintic_spline with a smoothing_ratio of 1 where neither is "
          "stated, not wendland_c2 with 1.3, and the default ratio of wendland_c2 is 1.5"},
         {2, true, stepsOfQuinticSpline,

@@ -59,6 +59,20 @@ void declareUnits(Registry& registry) {
     check("mass", &P::mass, unit::mass);
 }
 
+std::string ratioText() {
+    using kernels::KernelType;
+    const auto ratio = [](bodies::Role role, KernelType kernel) {
+        return model::defaultSmoothingRatio(role, kernel);
+    };
+    return fmt::format(
+        "smoothing length h / dp of all bodies that state none; default: {} of elastic bodies, of "
+        "others {} with quintic_spline, {} with wendland_c2, {} with cubic_spline",
+        ratio(bodies::Role::elastic, KernelType::wendland_c2),
+        ratio(bodies::Role::fluid, KernelType::quintic_spline),
+        ratio(bodies::Role::fluid, KernelType::wendland_c2),
+        ratio(bodies::Role::fluid, KernelType::cubic_spline));
+}
+
 void declareResolution(Registry& registry) {
     using P = model::Resolution;
     auto& d = registry.declare<P>(Kind::block, "resolution");
@@ -66,9 +80,7 @@ void declareResolution(Registry& registry) {
     d.required("spacing", &P::spacing, number(unit::length).above(0),
                "reference distance of neighboring particles dp");
     d.optional("smoothing_ratio", &P::smoothing_ratio, number(unit::none).atLeast(0.8).atMost(4),
-               "smoothing length h / dp of all bodies that state none; default: 0.85 of elastic "
-               "bodies, of others 1 with quintic_spline, 1.5 with wendland_c2, 1.35 with "
-               "cubic_spline");
+               ratioText());
     d.optional("kernel", &P::kernel, kernel(registry),
                "smoothing kernel of all bodies; default: quintic_spline, of elastic bodies and "
                "where only a smoothing_ratio is stated wendland_c2");

@@ -110,14 +110,13 @@ std::string Health<Dim>::lastPlace(const bodies::Body<Dim>& body,
 
 template <int Dim>
 void Health<Dim>::check(const Clock& clock) {
-    std::map<const bodies::Body<Dim>*, double> speeds;
     for (const auto& body : world_.bodies) {
         if (!moves(*body)) continue;
         const Extremes e = extremes(*body);
         if (!e.finite) fail(*body, clock);
-        const double speed = speeds[body.get()] = std::sqrt(e.speed2);
         if (!body->isFluid()) continue;
         const materials::Fluid& fluid = *body->fluid().material;
+        const double speed = std::sqrt(e.speed2);
         if (speed > speed_limit * fluid.soundSpeed() && !warned_speed_[body->name]) {
             warned_speed_[body->name] = true;
             log::warning(fmt::format(
@@ -135,7 +134,7 @@ void Health<Dim>::check(const Clock& clock) {
                 world_.quantityText(clock.time, unit::time), body->name, 100 * e.density / rho0));
         }
     }
-    for (auto& order : orders_) order.check(clock, speeds.at(&order.body()));
+    for (auto& order : orders_) order.check(clock);
     if (clock.steps % steps_between_places == 0) remember();
 }
 

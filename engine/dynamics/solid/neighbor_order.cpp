@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sphinx::dynamics::solid {
@@ -75,13 +76,20 @@ NeighborOrder<Dim>::Found NeighborOrder<Dim>::look() const {
 }
 
 template <int Dim>
-void NeighborOrder<Dim>::check(const Clock& clock, double speed) {
-    // Twice, for what was faster within the step.
-    travelled_ += 2 * speed * clock.dt;
-    if (!findPairs() && travelled_ < allowed_) return;
+double NeighborOrder<Dim>::moved() const {
+    const auto& position = body_->particles.position();
+    return std::sqrt(maxAll(body_->size(), 0, [&](std::size_t i) {
+        return world_->domain.difference(position[i], places_[i]).squaredNorm();
+    }));
+}
+
+template <int Dim>
+void NeighborOrder<Dim>::check(const Clock& clock) {
+    if (!findPairs() && moved() < allowed_) return;
     const Found found = look();
     if (found.first < pairs_.size()) fail(pairs_[found.first], clock);
-    travelled_ = 0;
+    const auto& position = body_->particles.position();
+    places_.assign(position.data(), position.data() + body_->size());
     allowed_ = safe * found.least;
 }
 

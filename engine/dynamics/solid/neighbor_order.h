@@ -21,11 +21,9 @@ class NeighborOrder {
  public:
     NeighborOrder(const World<Dim>& world, Relations<Dim>& relations, Body<Dim>& body);
 
-    const Body<Dim>& body() const { return *body_; }
-    /// After a step at whose end no particle is faster than `speed`. Throws PhysicsError that names
-    /// the particles, their place and the time. Looks at the pairs only when particles have moved
-    /// far enough since for two of them to change places.
-    void check(const Clock& clock, double speed);
+    /// Throws PhysicsError that names the particles, their place and the time. Looks at the pairs
+    /// only when a particle has moved far enough since for two of them to change places.
+    void check(const Clock& clock);
 
  private:
     struct Pair {
@@ -39,6 +37,8 @@ class NeighborOrder {
     /// Where particles have other places than they name; says whether they had.
     bool findPairs();
     Found look() const;
+    /// Of the particle that is farthest from where it was when the pairs were looked at.
+    double moved() const;
     [[noreturn]] void fail(const Pair& pair, const Clock& clock) const;
 
     const World<Dim>* world_;
@@ -47,8 +47,8 @@ class NeighborOrder {
     Relations<Dim>* relations_;
     ArrangementWatch watch_;
     std::vector<Pair> pairs_;
-    double travelled_ = 0;  // since the pairs were looked at, by the fastest particle
-    double allowed_ = 0;    // before they have to be again
+    AlignedVector<Vec<Dim>> places_;  // when the pairs were looked at
+    double allowed_ = 0;              // way from there before they have to be again
 };
 
 extern template class NeighborOrder<2>;
