@@ -57,6 +57,11 @@ struct Body {
     bool isElastic() const { return std::holds_alternative<ElasticRole<Dim>>(role); }
     bool isObserver() const { return std::holds_alternative<ObserverRole>(role); }
     bool isSolid() const { return isWall() || isElastic(); }
+    /// Its motion follows from the forces on it: fluids meet it so that both together are stable
+    /// (dynamics/fsi/README.md).
+    bool responds() const {
+        return isElastic() || (isWall() && std::get<WallRole>(role).in_mechanism);
+    }
 
     /// The role of a body that is known to have it.
     FluidRole<Dim>& fluid() { return as<FluidRole<Dim>>(role); }

@@ -27,9 +27,10 @@ struct FluidRole {
     Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
 };
 
-/// Does not deform, and stands still or moves as prescribed: holds fluids back.
+/// Does not deform: stands still, moves as prescribed, or as a mechanism moves it (multibody).
 struct WallRole {
     std::shared_ptr<const materials::Material> material;
+    bool in_mechanism = false;
 };
 
 /// Moves by its stress.

@@ -4,7 +4,12 @@
 
 #include "dynamics/words.h"
 
+
 namespace sphinx::dynamics {
+
+namespace multibody {
+struct MultibodyParameters;
+}  // namespace multibody
 
 namespace fluid {
 template <int Dim>
@@ -18,6 +23,10 @@ struct Context {
     Relations<Dim>& relations;
     /// Methods by which a fluid pushes solids; each adds itself when it is built.
     std::vector<const fluid::SolidLoad<Dim>*> loads = {};
+    /// The block `multibody` of the case, or null.
+    const multibody::MultibodyParameters* multibody = nullptr;
+    double start_time = 0;
+
 };
 
 }  // namespace sphinx::dynamics

@@ -41,6 +41,10 @@ namespace geometry {
 void declareNormalsFromShape(input::Registry& registry);
 }  // namespace geometry
 
+namespace multibody {
+void declareStep(input::Registry& registry);
+}  // namespace multibody
+
 namespace neighbors {
 void declareUpdate(input::Registry& registry);
 }  // namespace neighbors

@@ -3,6 +3,7 @@
 #include "dynamics/register.h"
 
 #include "dynamics/methods.h"
+#include "dynamics/multibody/components.h"
 
 namespace sphinx::dynamics {
 
@@ -26,6 +27,10 @@ void registerDynamics(input::Registry& registry) {
     fsi::declarePressureForce(registry);
     fsi::declareViscousForce(registry);
     geometry::declareNormalsFromShape(registry);
+    multibody::declareJoints(registry);
+    multibody::declareForces(registry);
+    multibody::declareConstraints(registry);
+    multibody::declareStep(registry);
     neighbors::declareUpdate(registry);
     particles::declareSort(registry);
     solid::declareAcousticTimeStep(registry);

@@ -2,9 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/rules.h"
 
+#include "dynamics/multibody/parameters.h"
+
 #include <fmt/format.h>
 
 namespace sphinx::dynamics {
+
+bool WrittenCase::responds(std::string_view body) const {
+    if (multibody && multibody->carries(body)) return true;
+    const auto material = materials.find(body);
+    return material != materials.end() && material->second->declaration->hasTrait("elastic");
+}
 
 void warnUnbounded(const input::Component& method, const WrittenCase& written,
                    std::string_view estimate) {

@@ -12,6 +12,10 @@
 #include <string_view>
 #include <vector>
 
+namespace sphinx::dynamics::multibody {
+struct MultibodyParameters;
+}
+
 namespace sphinx::dynamics {
 
 /// What the rules of methods see of a case as it is written. They report to `diagnostics`, at the
@@ -34,6 +38,8 @@ struct WrittenCase {
     };
 
     double start_time = 0;  ///< case units
+    /// The block `multibody`, or null.
+    const multibody::MultibodyParameters* multibody = nullptr;
     Components methods;     ///< in the order of the case
     Components called;      ///< those of them that the loop calls: no others act
     std::vector<Layer> layers;
@@ -44,6 +50,8 @@ struct WrittenCase {
     bool calls(const input::Component& method) const {
         return std::ranges::find(called, &method) != called.end();
     }
+    /// Whether the body is elastic, or rigid and carried by a body of the mechanism.
+    bool responds(std::string_view body) const;
     bool sees(std::string_view body, std::string_view other) const {
         return std::ranges::any_of(
             topology, [&](const Sight& s) { return s.body == body && s.seen == other; });

@@ -22,8 +22,11 @@ Words bodiesOf(const model::Case& model, const input::Component& method,
     return bodies;
 }
 
-/// Without a trait every body has it.
+/// Without a trait every body has it. `responding`: bodies::Body::responds(); `driven`: rigid ones
+/// that do not.
 bool hasTrait(const model::Case& model, const model::Body& body, const std::string& trait) {
+    if (trait == "responding") return model.responds(body);
+    if (trait == "driven") return body.role == bodies::Role::wall && !model.responds(body);
     const Words traits = language::bodyTraits(body.role, model.findMaterial(body.material.text));
     return trait.empty() || std::find(traits.begin(), traits.end(), trait) != traits.end();
 }

@@ -15,6 +15,16 @@
 
 namespace sphinx::build {
 
+/// What the methods of a case are built from. It refers to the case.
+template <int Dim>
+dynamics::Context<Dim> makeContext(const model::Case& model, bodies::World<Dim>& world,
+                                   neighbors::Relations<Dim>& relations) {
+    dynamics::Context<Dim> context{world, relations};
+    if (model.multibody) context.multibody = &*model.multibody;
+    context.start_time = model.loop.start_time;
+    return context;
+}
+
 /// The methods that the loop of a case calls, made from their parameters, and the calls that zero
 /// accumulated fields. What the loop does not call is not made: it cannot act.
 template <int Dim>

@@ -145,6 +145,8 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
         body->name = source.name;
         if (!source.material.empty())
             body->role = makeRole<Dim>(source.role, materials.at(source.material.text));
+        if (auto* wall = std::get_if<bodies::WallRole>(&body->role))
+            wall->in_mechanism = model.responds(source);
         if (!source.shape.empty()) body->shape = model.findShape(source.shape.text)->as<Dim>();
         body->spacing = source.spacing(model.resolution);
         const double h = source.smoothingRatio(model.resolution) * body->spacing;

@@ -6,6 +6,7 @@
 
 #include "case/language/shapes.h"
 #include "case/model/model.h"
+#include "dynamics/multibody/parameters.h"
 #include "input/declaration/registry.h"
 
 namespace sphinx::language {
@@ -74,6 +75,7 @@ struct CaseBlock {
     std::vector<input::Component> materials;
     std::vector<NamedBody> bodies;
     std::vector<std::pair<input::Name, std::vector<ContactBlock>>> topology;
+    std::optional<dynamics::multibody::MultibodyParameters> multibody;
     std::vector<input::Component> dynamics;
     model::Loop loop;
     std::vector<NamedOutput> outputs;

@@ -294,6 +294,9 @@ void declareCase(Registry& registry) {
     d.required("bodies", &P::bodies, namedBodies(block("bodies")), "named bodies");
     d.optional("topology", &P::topology, mapOf(bodyReference(), list(contact())),
                "whose particles each body sees");
+    d.optional("multibody", &P::multibody,
+               structure<dynamics::multibody::MultibodyParameters>(block("multibody")),
+               "rigid bodies and their joints");
     d.optional("dynamics", &P::dynamics, components(Kind::dynamics), "named methods that can act");
     d.required("loop", &P::loop, structure<model::Loop>(block("loop")), "what acts, and when");
     d.optional("outputs", &P::outputs, outputs(block("outputs")), "what is written");
@@ -311,6 +314,7 @@ void registerCaseLanguage(Registry& registry) {
     declareBody(registry);
     declareEvery(registry);
     declareLoop(registry);
+    declareMultibody(registry);
     declareCase(registry);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "case/language/phases.h"
+#include "dynamics/multibody/step.h"
 
 namespace sphinx::language {
 namespace {
@@ -68,6 +69,20 @@ model::Body makeBody(const NamedBody& named, const Component* material, int dime
     return body;
 }
 
+/// A step of the mechanism moves the particles of all its bodies.
+void fillParts(const dynamics::multibody::MultibodyParameters& multibody,
+               std::vector<Component>& methods) {
+    using Parameters = dynamics::multibody::StepParameters;
+    for (Component& method : methods) {
+        if (!method.find<Parameters>()) continue;
+        auto filled = std::make_shared<Parameters>();
+        for (const auto& [name, body] : multibody.bodies)
+            filled->parts.insert(filled->parts.end(), body.particles.begin(),
+                                 body.particles.end());
+        method.parameters = std::move(filled);
+    }
+}
+
 }  // namespace
 
 model::Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics) {
@@ -91,7 +106,9 @@ model::Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnosti
             sight.sees.push_back(std::move(seen));
         }
     }
+    model.multibody = block.multibody;
     model.dynamics = block.dynamics;
+    if (block.multibody) fillParts(*block.multibody, model.dynamics);
     model.loop = block.loop;
     for (const NamedOutput& output : block.outputs) {
         model::Output& made = model.outputs.emplace_back();

@@ -42,6 +42,11 @@ class NameCheck {
         known_[Target::shape] = namesOf(block.geometry);
         known_[Target::method] = namesOf(block.dynamics);
         collectLayers(block.loop, known_[Target::layer]);
+        if (block.multibody) {
+            for (const auto& [name, body] : block.multibody->bodies)
+                known_[Target::rigid_body].push_back(name.text);
+            known_[Target::joint] = namesOf(block.multibody->joints);
+        }
         for (const particles::FieldInfo* field : fields::all())
             known_[Target::field].emplace_back(field->name);
         for (const auto& [target, key] : blocks)
@@ -75,6 +80,15 @@ class NameCheck {
             case Target::field:
                 exists(reference, Target::field, reference.name.text, "field");
                 break;
+            case Target::rigid_body_or_ground:
+                if (reference.name.text == "ground") break;
+                [[fallthrough]];
+            case Target::rigid_body:
+                exists(reference, Target::rigid_body, reference.name.text, "body of multibody");
+                break;
+            case Target::joint:
+                exists(reference, Target::joint, reference.name.text, "joint");
+                break;
         }
     }
 
@@ -96,7 +110,9 @@ class NameCheck {
                                                                 {Target::material, "materials"},
                                                                 {Target::shape, "geometry"},
                                                                 {Target::method, "dynamics"},
-                                                                {Target::layer, "loop"}};
+                                                                {Target::layer, "loop"},
+                                                                {Target::rigid_body, "multibody"},
+                                                                {Target::joint, "multibody"}};
 
     /// The block could not be read, for which there is a message: what it defines is not known.
     bool isSpoilt(const Node& root, const std::string& block) const {

@@ -20,6 +20,9 @@ input::Type<std::vector<input::Component>> components(input::Kind kind);
 input::Type<std::vector<NamedOutput>> outputs(const input::Declaration& common);
 input::Type<std::vector<NamedBody>> namedBodies(const input::Declaration& body);
 
+/// Declares the block `multibody`.
+void declareMultibody(input::Registry& registry);
+
 input::Type<ContactBlock> contact();
 input::Type<model::TimeStep> timeStep();
 /// A line of the loop; uses the blocks `layer` and `run`.

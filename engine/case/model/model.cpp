@@ -64,6 +64,11 @@ bool Case::calls(std::string_view method) const {
     return callsIn(loop.start, method) || callsIn(loop, method);
 }
 
+bool Case::responds(const Body& body) const {
+    if (body.role == bodies::Role::elastic) return true;
+    return body.role == bodies::Role::wall && multibody && multibody->carries(body.name);
+}
+
 const std::vector<Contact>& Case::seenBy(std::string_view body) const {
     static const std::vector<Contact> nothing;
     for (const Sight& sight : topology)

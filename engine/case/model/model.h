@@ -4,6 +4,7 @@
 
 #include "bodies/domain.h"
 #include "bodies/role.h"
+#include "dynamics/multibody/parameters.h"
 #include "geometry/shape.h"
 #include "input/declaration/component.h"
 #include "input/declaration/registry.h"
@@ -168,6 +169,7 @@ struct Case {
     std::vector<Component> materials;
     std::vector<Body> bodies;
     std::vector<Sight> topology;
+    std::optional<dynamics::multibody::MultibodyParameters> multibody;
     std::vector<Component> dynamics;
     Loop loop;
     std::vector<Output> outputs;
@@ -186,6 +188,8 @@ struct Case {
     const Component* findMethod(std::string_view name) const;
     /// Whether a line of the loop, or the time step of a layer, names the method: no other acts.
     bool calls(std::string_view method) const;
+    /// bodies::Body::responds() of it.
+    bool responds(const Body& body) const;
     /// What the body sees; empty when topology does not name it.
     const std::vector<Contact>& seenBy(std::string_view body) const;
 };

@@ -175,7 +175,7 @@ CheckReport check(const model::Case& model) {
     const auto world = build::buildWorld<Dim>(model, true, diagnostics, &lattices);
     diagnostics.throwIfErrors();
     neighbors::Relations<Dim> relations(*world);
-    dynamics::Context<Dim> context{*world, relations};
+    dynamics::Context<Dim> context = build::makeContext<Dim>(model, *world, relations);
     build::Methods<Dim> methods(model, context);
     build::bindPlan<Dim>(placed.facts.plan, model, *world, methods);
     io::RestartHeader header;

@@ -30,7 +30,7 @@ Simulation<Dim>::Simulation(const model::Case& model, const RunOptions& options,
     diagnostics.throwIfErrors();
     warnings_ = diagnostics.text();
     relations_ = std::make_unique<neighbors::Relations<Dim>>(*world_);
-    context_.emplace(dynamics::Context<Dim>{*world_, *relations_});
+    context_.emplace(build::makeContext<Dim>(model_, *world_, *relations_));
     methods_ = std::make_unique<build::Methods<Dim>>(model, *context_);
 }
 

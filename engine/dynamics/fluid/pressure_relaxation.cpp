@@ -237,7 +237,7 @@ Vec<Dim> PressureRelaxation<Dim>::slipImpulse(const WallFields<Dim>& fields,
 template <int Dim>
 void PressureRelaxation<Dim>::addSlipImpulses() {
     for (const auto& wall : around_.walls()) {
-        if (!wall.fields.elastic) continue;
+        if (!wall.fields.responds) continue;
         parallelFor(body_->size(), [&](std::size_t i) {
             if (wall.list().ranges[i].count == 0) return;
             velocity_[i] += slipImpulse(wall.fields, wall.list(), i) / mass_[i];
@@ -272,7 +272,7 @@ Load<Dim> PressureRelaxation<Dim>::loadOn(const typename Surroundings<Dim>::Wall
         addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], unit, sum);
         Vec<Dim> force;
         for (int c = 0; c < Dim; ++c) force[c] = unit * sum[c].value();
-        if (wall.fields.elastic && last_dt_ > 0)
+        if (wall.fields.responds && last_dt_ > 0)
             force -= slipImpulse(wall.fields, list, i) / last_dt_;
         // Along the line of two particles: the place of either gives the moment.
         own.add(position_[i] - about, force);
@@ -352,8 +352,8 @@ void PressureRelaxation<Dim>::continuity(double dt) {
 /// What both sums need of the solids that the fluid sees.
 input::Action& readSolids(input::Action& action) {
     return action.reads("neighbors.solid", {"volume"})
-        .reads("neighbors.rigid", {"normal", "velocity", "acceleration"})
-        .reads("neighbors.elastic", {"average_velocity"});
+        .reads("neighbors.driven", {"normal", "velocity", "acceleration"})
+        .reads("neighbors.responding", {"average_velocity"});
 }
 
 }  // namespace
@@ -390,7 +390,7 @@ void declarePressureRelaxation(input::Registry& registry) {
                         [](auto& method, const Clock& clock) { method.secondHalf(clock); })
                    .reads("body", {"velocity", "pressure", "volume", "density", "position",
                                    "external_acceleration", "mass", "neighbors"})
-                   .mayRead("neighbors.elastic", {"slip"}))
+                   .mayRead("neighbors.responding", {"slip"}))
         .writes("body", {"density_rate", "density", "position", "velocity"})
         .closes("body", "step");
 }

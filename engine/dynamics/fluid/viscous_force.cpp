@@ -294,8 +294,8 @@ void declareViscousForce(input::Registry& registry) {
     d.action()
         .reads("body", {"velocity", "mass", "volume", "neighbors"})
         .reads("neighbors.solid", {"normal", "depth", "volume"})
-        .reads("neighbors.rigid", {"velocity"})
-        .reads("neighbors.elastic", {"average_velocity"})
+        .reads("neighbors.driven", {"velocity"})
+        .reads("neighbors.responding", {"average_velocity"})
         .writes("body", {"fresh_viscous_load"})
         .accumulates("body", {"external_acceleration"});
 }

@@ -52,7 +52,8 @@ void declareAverageKinematics(input::Registry& registry) {
     d.summary("Velocity of an elastic body, averaged over a step of its fluid");
     d.formula("guide 2.2.4: average v = (r(t + dt) - r(t))/dt");
     d.cite("guide", "2.2.4").cite("Zhang, Rezavand & Hu 2021");
-    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
+    d.required("body", &P::body, input::bodyReference({"elastic", "rigid"}),
+               "elastic body, or rigid body that a mechanism moves");
     d.action("begin", "before the steps of the solid",
              [](auto& method, const Clock& clock) { method.begin(clock); })
         .reads("body", {"position"})

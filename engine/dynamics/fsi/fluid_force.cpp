@@ -14,4 +14,13 @@ void checkSight(const input::Component& method, WrittenCase& written) {
                                     body.text, from.text, body.text));
 }
 
+void checkResponds(const input::Component& method, WrittenCase& written) {
+    const input::Name& body = method.as<FluidForceParameters>().body;
+    if (!written.responds(body.text))
+        written.diagnostics.error(
+            body.place, fmt::format("{} is rigid and no body of multibody carries it: a force "
+                                    "moves nothing",
+                                    body.text));
+}
+
 }  // namespace sphinx::dynamics::fsi

@@ -48,6 +48,9 @@ class FluidForce final : public Method {
 /// A rule: a fluid pushes the bodies that it sees.
 void checkSight(const input::Component& method, WrittenCase& written);
 
+/// A rule: rigid bodies get forces where a mechanism moves them.
+void checkResponds(const input::Component& method, WrittenCase& written);
+
 /// Registers the method that hands on loads of a kind, but for what is to be said of it alone.
 /// `from`: what the fluid does.
 template <fluid::LoadKind kind>
@@ -57,9 +60,11 @@ auto& declareFluidForce(input::Registry& registry, std::string name, const std::
         return std::make_unique<FluidForce<Dim, kind>>(context, p);
     };
     auto& d = declareMethod<P>(registry, std::move(name), make);
-    d.required("body", &P::body, input::bodyReference({"elastic"}), "elastic body");
+    d.required("body", &P::body, input::bodyReference({"elastic", "rigid"}),
+               "elastic body, or rigid body that a mechanism moves");
     d.required("from", &P::from, input::bodyReference({"fluid"}), "fluid that " + from + " it");
     d.rule(checkSight);
+    d.rule(checkResponds);
     return d;
 }
 

@@ -13,6 +13,9 @@ const char* kindName(Kind kind) {
         case Kind::kernel: return "kernel";
         case Kind::material: return "material";
         case Kind::dynamics: return "dynamics";
+        case Kind::joint: return "joint";
+        case Kind::multibody_force: return "multibody_force";
+        case Kind::multibody_constraint: return "multibody_constraint";
         case Kind::output: return "output";
         case Kind::field: return "field";
     }

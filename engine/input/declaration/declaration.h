@@ -17,10 +17,22 @@
 namespace sphinx::input {
 
 /// What kind of thing a declaration is about. Blocks are the fixed parts of the language.
-enum class Kind { block, shape, kernel, material, dynamics, output, field };
+enum class Kind {
+    block,
+    shape,
+    kernel,
+    material,
+    dynamics,
+    joint,
+    multibody_force,
+    multibody_constraint,
+    output,
+    field
+};
 const char* kindName(Kind kind);
-inline constexpr std::array all_kinds{Kind::block,    Kind::shape,  Kind::kernel, Kind::material,
-                                      Kind::dynamics, Kind::output, Kind::field};
+inline constexpr std::array all_kinds{
+    Kind::block, Kind::shape,           Kind::kernel,               Kind::material, Kind::dynamics,
+    Kind::joint, Kind::multibody_force, Kind::multibody_constraint, Kind::output,   Kind::field};
 
 /// Something that a loop line can call.
 class Action {

@@ -209,6 +209,9 @@ const char* kindTitle(Kind kind) {
         case Kind::kernel: return "Smoothing kernels";
         case Kind::material: return "Materials";
         case Kind::dynamics: return "Dynamics";
+        case Kind::joint: return "Joints";
+        case Kind::multibody_force: return "Forces of multibody";
+        case Kind::multibody_constraint: return "Constraints of multibody";
         case Kind::output: return "Outputs";
         case Kind::field: return "Fields";
     }

@@ -10,7 +10,19 @@
 namespace sphinx::input {
 
 /// What a reference may point at.
-enum class Target { body, part, material, shape, method, action, layer, field };
+enum class Target {
+    body,
+    part,
+    material,
+    shape,
+    method,
+    action,
+    layer,
+    field,
+    rigid_body,
+    rigid_body_or_ground,
+    joint
+};
 
 /// A name that was read, to be checked once everything that could be named is known.
 struct Reference {

@@ -136,6 +136,9 @@ Type<Name> shapeReference();
 Type<Name> actionReference();  ///< METHOD or METHOD.ACTION
 Type<Name> layerReference();
 Type<Name> fieldReference();  ///< a name of particles/fields.h
+/// A body of the block `multibody`, or the ground.
+Type<Name> rigidBodyReference(bool or_ground = false);
+Type<Name> jointReference();
 /// A name that the author chooses here; see checkNewName().
 Type<Name> newName();
 

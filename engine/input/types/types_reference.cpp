@@ -19,6 +19,9 @@ const char* targetName(Target target) {
         case Target::action: return "method or METHOD.ACTION";
         case Target::layer: return "layer";
         case Target::field: return "field";
+        case Target::rigid_body: return "body of multibody";
+        case Target::rigid_body_or_ground: return "body of multibody, or ground";
+        case Target::joint: return "joint";
     }
     return "";
 }
@@ -96,6 +99,10 @@ Type<Name> shapeReference() { return reference(Target::shape); }
 Type<Name> actionReference() { return reference(Target::action); }
 Type<Name> layerReference() { return reference(Target::layer); }
 Type<Name> fieldReference() { return reference(Target::field); }
+Type<Name> rigidBodyReference(bool or_ground) {
+    return reference(or_ground ? Target::rigid_body_or_ground : Target::rigid_body);
+}
+Type<Name> jointReference() { return reference(Target::joint); }
 Type<Name> newName() { return Type<Name>(std::make_shared<NewNameType>()); }
 
 bool checkNewName(const std::string& name, const Place& place, Diagnostics& diagnostics) {

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/multibody/moved_part.h"
+
+#include "core/parallel.h"
+#include "core/sum_all.h"
+#include "dynamics/multibody/in_space.h"
+
+#include <Eigen/Geometry>
+
+namespace sphinx::dynamics::multibody {
+namespace {
+
+/// A with A (v, omega) = v + omega x r.
+Eigen::Matrix<double, 3, 6> motionAt(const Vector& r) {
+    Eigen::Matrix<double, 3, 6> A;
+    A << Matrix::Identity(), (Matrix() << 0, r[2], -r[1], -r[2], 0, r[0], r[1], -r[0], 0).finished();
+    return A;
+}
+
+}  // namespace
+
+template <int Dim>
+MovedPart<Dim>::MovedPart(World<Dim>& world, const input::Name& name)
+    : world_(&world),
+      part_(world, name),
+      position_(part_.body().particles.position()),
+      initial_position_(part_.body().particles.vector(fields::initial_position)),
+      velocity_(part_.body().particles.vector(fields::velocity)),
+      acceleration_(part_.body().particles.vector(fields::acceleration)),
+      mass_(part_.body().particles.scalar(fields::mass)) {
+    if (part_.body().isElastic())
+        external_ = &part_.body().particles.vector(fields::external_acceleration);
+}
+
+template <int Dim>
+void MovedPart<Dim>::prepare() {
+    ParticleSet<Dim>& particles = part_.body().particles;
+    const auto made = [&](const sphinx::particles::FieldInfo& field) {
+        return particles.find(field.name) != nullptr;
+    };
+    if (made(fields::pressure_force)) pressure_force_ = &particles.vector(fields::pressure_force);
+    if (made(fields::viscous_force)) viscous_force_ = &particles.vector(fields::viscous_force);
+    if (made(fields::radiation_impedance)) {
+        impedance_ = &particles.matrix(fields::radiation_impedance);
+        seen_ = &particles.vector(fields::average_velocity);
+        slip_ = &particles.vector(fields::slip);
+    }
+    if (!part_.body().isElastic() && made(fields::initial_normal)) {
+        normal_ = &particles.vector(fields::normal);
+        initial_normal_ = &particles.vector(fields::initial_normal);
+    }
+}
+
+template <int Dim>
+Vec<Dim> MovedPart<Dim>::placeOf(std::size_t i, const RigidBody& body,
+                                 const BodyMotion& motion) const {
+    const Vector arm = inSpace<Dim>(initial_position_[i]) - body.center;
+    return (motion.center + motion.rotation * arm).template head<Dim>();
+}
+
+template <int Dim>
+void MovedPart<Dim>::addLoad(const BodyMotion& motion, BodyLoad& load) const {
+    const bool elastic = part_.body().isElastic();
+    // Force and moment, Z u with its moment, and the upper triangle of the matrix.
+    using Sum = std::array<double, 6 + 6 + 21>;
+    const Sum sum = sumAll(part_.size(), [&](std::size_t n) {
+        const std::size_t i = part_[n];
+        const auto A = motionAt(inSpace<Dim>(position_[i]) - motion.center);
+        Vec<Dim> f = Vec<Dim>::Zero();
+        Matrix Z = Matrix::Zero();
+        Vector u = Vector::Zero();
+        if (impedance_ && (*impedance_)[i].trace() > 0) {
+            Z.template topLeftCorner<Dim, Dim>() = (*impedance_)[i];
+            u = inSpace<Dim>((*seen_)[i]);
+        }
+        if (elastic) {
+            f = mass_[i] * (acceleration_[i] - (*external_)[i]);
+            f += (Z * (inSpace<Dim>(velocity_[i]) - u)).template head<Dim>();
+        } else {
+            if (pressure_force_) f += (*pressure_force_)[i];
+            if (viscous_force_) f += (*viscous_force_)[i];
+        }
+        const Screw force = A.transpose() * inSpace<Dim>(f);
+        const Screw answered = A.transpose() * (Z * u);
+        const ScrewMatrix impedance = A.transpose() * Z * A;
+        Sum terms;
+        std::size_t k = 0;
+        for (int c = 0; c < 6; ++c) terms[k++] = force[c];
+        for (int c = 0; c < 6; ++c) terms[k++] = answered[c];
+        for (int row = 0; row < 6; ++row)
+            for (int column = row; column < 6; ++column) terms[k++] = impedance(row, column);
+        return terms;
+    });
+    std::size_t k = 0;
+    for (int c = 0; c < 6; ++c) load.force[c] += sum[k++];
+    for (int c = 0; c < 6; ++c) load.answered[c] += sum[k++];
+    for (int row = 0; row < 6; ++row)
+        for (int column = row; column < 6; ++column, ++k) {
+            load.impedance(row, column) += sum[k];
+            if (column != row) load.impedance(column, row) += sum[k];
+        }
+}
+
+template <int Dim>
+void MovedPart<Dim>::setRigid(std::size_t i, const RigidBody& body, const BodyMotion& motion) {
+    position_[i] = placeOf(i, body, motion);
+    const Vector r = inSpace<Dim>(position_[i]) - motion.center;
+    const auto A = motionAt(r);
+    const Vector turning = motion.velocity.template tail<3>();
+    velocity_[i] = Vector(A * motion.velocity).template head<Dim>();
+    acceleration_[i] =
+        Vector(A * motion.acceleration + turning.cross(turning.cross(r))).template head<Dim>();
+    if (normal_)
+        (*normal_)[i] =
+            Vector(motion.rotation * inSpace<Dim>((*initial_normal_)[i])).template head<Dim>();
+}
+
+template <int Dim>
+void MovedPart<Dim>::place(const RigidBody& body, const BodyMotion& start) {
+    if (part_.body().isElastic()) return;
+    parallelFor(part_.size(), [&](std::size_t n) { setRigid(part_[n], body, start); });
+    ++part_.body().version;
+}
+
+template <int Dim>
+void MovedPart<Dim>::follow(const RigidBody& body, const BodyMotion& before,
+                            const BodyMotion& after, const Clock& clock) {
+    const bool elastic = part_.body().isElastic();
+    const double dt = clock.dt;
+    parallelFor(part_.size(), [&](std::size_t n) {
+        const std::size_t i = part_[n];
+        if (elastic) {
+            const Vec<Dim> end = placeOf(i, body, after);
+            const Vec<Dim> v = (end - placeOf(i, body, before)) / dt;
+            velocity_[i] = v;
+            position_[i] = end - 0.5 * dt * v;
+            return;
+        }
+        if (slip_ && (*impedance_)[i].trace() > 0) {
+            const auto A = motionAt(inSpace<Dim>(position_[i]) - before.center);
+            (*slip_)[i] += Vec<Dim>((A * after.passed).template head<Dim>()) - dt * (*seen_)[i];
+        }
+        setRigid(i, body, after);
+    });
+    ++part_.body().version;
+}
+
+template class MovedPart<2>;
+template class MovedPart<3>;
+
+}  // namespace sphinx::dynamics::multibody

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/clock.h"
+#include "dynamics/multibody/mechanism.h"
+#include "dynamics/part.h"
+
+namespace sphinx::dynamics::multibody {
+
+/// Particles that a rigid body of a mechanism carries along: all of a rigid body of the case, or a
+/// part of one or of an elastic body.
+template <int Dim>
+class MovedPart {
+ public:
+    MovedPart(World<Dim>& world, const input::Name& name);
+    /// Once the particles are there.
+    void prepare();
+
+    /// Rigid ones: where the joints put them at the start.
+    void place(const RigidBody& body, const BodyMotion& start);
+
+    std::size_t size() const { return part_.size(); }
+    /// Adds what acts on the particles, about the centre of mass: the force f of fluids and of
+    /// elastic material, and where fluids answer the motion within their step (Radiation) its Z and
+    /// Z u. Of an elastic part the kick has been taken, v = v0 + a dt: f = m a + Z (v - u).
+    void addLoad(const BodyMotion& motion, BodyLoad& load) const;
+    /// Moves the particles as the body has moved in a step that began at `before`. Rigid ones get
+    /// place, velocity, acceleration and normal at its end. Elastic ones get the mean velocity and a
+    /// place from which the drift of their second half leads to the end.
+    void follow(const RigidBody& body, const BodyMotion& before, const BodyMotion& after,
+                const Clock& clock);
+
+ private:
+    void setRigid(std::size_t i, const RigidBody& body, const BodyMotion& motion);
+    Vec<Dim> placeOf(std::size_t i, const RigidBody& body, const BodyMotion& motion) const;
+
+    const World<Dim>* world_;
+    Part<Dim> part_;
+    Field<Vec<Dim>>& position_;
+    Field<Vec<Dim>>& initial_position_;
+    Field<Vec<Dim>>& velocity_;
+    Field<Vec<Dim>>& acceleration_;
+    const Field<double>& mass_;
+    const Field<Vec<Dim>>* external_ = nullptr;
+    // Where something has made them.
+    const Field<Vec<Dim>>* pressure_force_ = nullptr;
+    const Field<Vec<Dim>>* viscous_force_ = nullptr;
+    const Field<Mat<Dim>>* impedance_ = nullptr;
+    const Field<Vec<Dim>>* seen_ = nullptr;
+    Field<Vec<Dim>>* slip_ = nullptr;
+    Field<Vec<Dim>>* normal_ = nullptr;
+    const Field<Vec<Dim>>* initial_normal_ = nullptr;
+};
+
+}  // namespace sphinx::dynamics::multibody

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "input/declaration/component.h"
+#include "input/expressions/expression.h"
+#include "input/types/values.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// The block `multibody` of a case as it is written.
+namespace sphinx::dynamics::multibody {
+
+/// An entry of `bodies`: mass, centre and inertia are those of the particles where not given.
+struct BodyParameters {
+    std::vector<input::Name> particles;  ///< bodies and parts of bodies that it moves
+    std::optional<double> mass;
+    std::optional<input::Coordinates> center;
+    std::vector<double> inertia;  ///< 2D: one; 3D: xx, yy, zz, or these and xy, xz, yz
+};
+
+/// Of a coordinate of a joint: an angle in radian, or a length.
+struct SpringParameters {
+    double stiffness = 0;
+    double rest = 0;
+};
+struct LimitsParameters {
+    double lower = 0, upper = 0;
+    double stiffness = 0;
+    double dissipation = 0;
+};
+
+/// An entry of `joints`. Each type has some of these.
+struct JointParameters {
+    input::Name parent, child;
+    std::optional<input::Coordinates> at, child_at;
+    std::optional<input::Coordinates> axis, second_axis;
+    double lead = 0;
+    double angle = 0, rate = 0;
+    double displacement = 0, speed = 0;
+    std::vector<double> angles, rates;
+    std::optional<input::Coordinates> shift, velocity;
+    std::vector<double> turn, angular_velocity;
+    std::optional<SpringParameters> spring;
+    double damping = 0;
+    std::optional<LimitsParameters> limits;
+    std::optional<input::FieldExpression> motor, motion;
+};
+
+/// A point of a body: the body, and where it is in the drawing.
+struct PointParameters {
+    input::Name body;
+    input::Coordinates at;
+};
+
+
+struct MultibodyParameters {
+    std::optional<input::Coordinates> gravity;
+    std::vector<std::pair<input::Name, BodyParameters>> bodies;
+    std::vector<input::Component> joints, forces, constraints;
+    std::optional<double> step;  ///< largest step of the integrator, time
+
+    /// Whether one of its bodies has particles of that body of the case.
+    bool carries(std::string_view body) const {
+        const auto isOf = [&](const input::Name& name) {
+            return std::string_view(name.text).substr(0, name.text.find('.')) == body;
+        };
+        return std::ranges::any_of(
+            bodies, [&](const auto& entry) { return std::ranges::any_of(entry.second.particles, isOf); });
+    }
+};
+
+}  // namespace sphinx::dynamics::multibody

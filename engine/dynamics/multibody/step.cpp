@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/multibody/step.h"
+
+#include "core/errors.h"
+#include "dynamics/methods.h"
+#include "dynamics/multibody/description.h"
+#include "dynamics/multibody/moved_part.h"
+
+#include <fmt/format.h>
+
+namespace sphinx::dynamics::multibody {
+namespace {
+
+/// Step of the rigid bodies of `multibody`: what acts on their particles goes to the mechanism,
+/// which gives their motion back. Guide 1.2.
+template <int Dim>
+class Step final : public Method, public MechanismOwner {
+ public:
+    Step(Context<Dim>& context, const StepParameters&);
+    void prepare() override;
+    void run(const Clock& clock);
+    void transfer(Archive& archive) override;
+    std::size_t workSize() const override;
+    const MultibodyParameters& parameters() const override { return *context_->multibody; }
+    const Mechanism* mechanism() const override { return mechanism_.get(); }
+
+ private:
+    struct Moved {
+        std::size_t body;
+        MovedPart<Dim> part;
+    };
+
+    Context<Dim>* context_;
+    std::vector<Moved> moved_;
+    std::unique_ptr<Mechanism> mechanism_;  // once prepared
+    std::vector<double> state_;  // of a restart, until the mechanism is there
+    double time_ = 0;
+};
+
+template <int Dim>
+Step<Dim>::Step(Context<Dim>& context, const StepParameters&)
+    : context_(&context), time_(context.start_time) {
+    const auto& bodies = context.multibody->bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        for (const input::Name& name : bodies[b].second.particles)
+            moved_.push_back({b, MovedPart<Dim>(context.world, name)});
+}
+
+template <int Dim>
+void Step<Dim>::prepare() {
+    input::Diagnostics diagnostics;
+    MechanismDescription description =
+        describe<Dim>(*context_->multibody, context_->world, diagnostics);
+    diagnostics.throwIfErrors();
+    try {
+        mechanism_ = std::make_unique<Mechanism>(std::move(description), time_);
+        if (!state_.empty()) mechanism_->setState(time_, state_);
+    } catch (const MechanismError& e) {
+        throw PhysicsError(fmt::format("the mechanism cannot be assembled: {}", e.what()));
+    }
+    for (Moved& moved : moved_) {
+        moved.part.prepare();
+        if (state_.empty())
+            moved.part.place(mechanism_->description().bodies[moved.body],
+                             mechanism_->motion(static_cast<int>(moved.body)));
+    }
+}
+
+template <int Dim>
+void Step<Dim>::run(const Clock& clock) {
+    if (clock.is_start) return;
+    Mechanism& mechanism = *mechanism_;
+    const std::vector<RigidBody>& bodies = mechanism.description().bodies;
+    std::vector<BodyMotion> before(bodies.size());
+    std::vector<BodyLoad> loads(bodies.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        before[b] = mechanism.motion(static_cast<int>(b));
+    for (const Moved& moved : moved_) moved.part.addLoad(before[moved.body], loads[moved.body]);
+    try {
+        mechanism.step(clock.time, clock.dt, loads);
+    } catch (const MechanismError& e) {
+        throw PhysicsError(fmt::format(
+            "the mechanism cannot go on at time {}: {}",
+            context_->world.quantityText(clock.time, unit::time), e.what()));
+    }
+    for (Moved& moved : moved_)
+        moved.part.follow(bodies[moved.body], before[moved.body],
+                          mechanism.motion(static_cast<int>(moved.body)), clock);
+    time_ = clock.time + clock.dt;
+}
+
+template <int Dim>
+void Step<Dim>::transfer(Archive& archive) {
+    if (mechanism_) state_ = mechanism_->state();
+    archive.value("time", time_);
+    archive.value("state", state_);
+}
+
+template <int Dim>
+std::size_t Step<Dim>::workSize() const {
+    std::size_t size = 0;
+    for (const Moved& moved : moved_) size += moved.part.size();
+    return size;
+}
+
+/// The step has a mechanism, which can be assembled.
+template <int Dim>
+void checkMechanism(const input::Component& method, BuiltCase<Dim>& built) {
+    if (!built.calls(method)) return;
+    const MechanismDescription description =
+        describe<Dim>(*built.multibody, built.world, built.diagnostics);
+    if (built.diagnostics.hasErrors()) return;
+    try {
+        Mechanism(description, built.start_time);
+    } catch (const MechanismError& e) {
+        built.diagnostics.error(method.place,
+                                fmt::format("the mechanism cannot be assembled: {}", e.what()));
+    }
+}
+
+void requireBlock(const input::Component& method, WrittenCase& written) {
+    if (!written.multibody)
+        written.diagnostics.error(method.place, "a multibody.step needs the block 'multibody'");
+}
+
+}  // namespace
+
+void declareStep(input::Registry& registry) {
+    using P = StepParameters;
+    auto& d = declareMethod<Step, P>(registry, "multibody.step");
+    d.summary("Step of the rigid bodies and joints of the block multibody");
+    d.formula(
+        "the equations of motion of the mechanism, under gravity, its springs and motors and what "
+        "acts on the particles of its bodies, by the Runge-Kutta method of fourth order");
+    d.cite("guide", "1.2").cite("Sherman, Seth & Delp 2011");
+    d.optional("parts", &P::parts, input::list(input::partReference({"elastic", "rigid"})),
+               "what it moves; filled in: the particles of all bodies of multibody");
+    d.rule(requireBlock);
+    d.worldRule([](const auto& method, auto& built) { checkMechanism(method, built); });
+    d.action(
+         "rigid bodies: between the halves of their fluid's pressure relaxation; with parts of "
+         "elastic bodies: between the halves of their step")
+        .reads("parts", {"initial_position", "position", "mass", "volume"})
+        .mayRead("parts", {"pressure_force", "viscous_force", "radiation_impedance",
+                           "average_velocity", "slip"})
+        .mayRead("parts.elastic", {"acceleration", "external_acceleration", "velocity"})
+        .mayRead("parts.rigid", {"initial_normal", "normal"})
+        .writes("parts", {"position", "velocity"})
+        .writes("parts.rigid", {"acceleration"})
+        .mayWrite("parts", {"slip"})
+        .mayWrite("parts.rigid", {"normal"});
+}
+
+}  // namespace sphinx::dynamics::multibody
