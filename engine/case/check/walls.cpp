@@ -50,7 +50,7 @@ void checkThickness(const model::Body& source, const bodies::World<Dim>& world,
 /// A rigid body acts on those that see it, and on nothing else.
 void checkSeen(const model::Case& model, input::Diagnostics& diagnostics) {
     for (const model::Body& wall : model.bodies) {
-        if (wall.role != bodies::Role::wall) continue;
+        if (wall.role != bodies::Role::wall || model.responds(wall)) continue;
         const bool seen = std::any_of(
             model.topology.begin(), model.topology.end(), [&](const model::Sight& sight) {
                 const model::Body& seer = *model.findBody(sight.body.text);

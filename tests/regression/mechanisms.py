@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""Mechanisms without water: pendulum_2d, double_pendulum_2d, four_bar_linkage_2d, torque_free_body_3d, and of
+cases/ here slider_crank and heavy_top. References: integrations of the equations of each in minimal coordinates by
+DOP853 to 1e-12, beside the cases; the period of the pendulum (complete elliptic integral), the flips of the free
+body (elliptic integral) and the largest tilt of the top (cubic of its energy) are closed forms.
+
+With --plot the plots in the folders of the cases.
+"""
+
+import numpy as np
+
+import checks
+
+HERE = checks.REPOSITORY / "tests/regression/cases"
+
+
+def table(path):
+    """Columns of a CSV file; lines of # are comments."""
+    lines = [line for line in path.read_text().splitlines() if line and line[0] != "#"]
+    rows = np.array([[float(value) for value in line.split(",")] for line in lines[1:]])
+    return dict(zip(lines[0].split(","), rows.T))
+
+
+def zeros(t, y):
+    k = np.flatnonzero(np.sign(y[1:]) != np.sign(y[:-1]))
+    return t[k] + (t[k + 1] - t[k]) * y[k] / (y[k] - y[k + 1])
+
+
+def same(report, what, times, values, reference_times, reference, limit=1e-5, until=np.inf):
+    """Largest difference over the range of the reference."""
+    at = (reference_times <= min(times[-1] + 1e-9, until))
+    found = np.interp(reference_times[at], times, values)
+    report.check(f"{what}: largest difference, of the range", np.abs(found - reference[at]).max() / np.ptp(reference),
+                 0, limit)
+
+
+def energy(report, run, limit=1e-6):
+    series = run.series("energy")
+    largest = np.abs(series["kinetic"]).max()
+    report.check("energy drifts by, of the largest kinetic energy", np.ptp(series["total"]) / largest, 0, limit)
+
+
+def pendulum(report):
+    run = checks.Run("pendulum_2d/case.yaml", "outputs.frames.every={time: 10}")
+    pin, reference = run.series("pin"), checks.reference("pendulum_2d", "swing.csv")
+    crossings = zeros(pin["time"], pin["coordinate"])
+    report.check("pendulum: period less 2.093199 s, of it", 2 * (crossings[1] - crossings[0]) / 2.093199 - 1, -1e-5,
+                 1e-5)
+    same(report, "pendulum: angle", pin["time"], pin["coordinate"], reference["t"], reference["theta"])
+    energy(report, run)
+
+
+def double_pendulum(report):
+    run = checks.Run("double_pendulum_2d/case.yaml", "outputs.frames.every={time: 10}")
+    upper, elbow = run.series("shoulder"), run.series("elbow")
+    reference = checks.reference("double_pendulum_2d", "angles.csv")
+    # A disturbance grows 13 times until t = 5.
+    same(report, "double pendulum: upper angle", upper["time"], upper["coordinate"], reference["t"],
+         reference["theta1"], until=5)
+    same(report, "double pendulum: lower angle", upper["time"], upper["coordinate"] + elbow["coordinate"],
+         reference["t"], reference["theta2"], until=5)
+    energy(report, run)
+
+
+def four_bar(report):
+    run = checks.Run("four_bar_linkage_2d/case.yaml", "outputs.frames.every={time: 10}")
+    crank, coupler, rocker = (run.series(name) for name in ("crank", "coupler", "rocker"))
+    reference = checks.reference("four_bar_linkage_2d", "free.csv")
+    turned = crank["coordinate"] + np.pi / 2
+    same(report, "four-bar linkage: crank", crank["time"], turned, reference["t"], reference["crank"])
+    start = reference["coupler"][0]
+    same(report, "four-bar linkage: coupler", crank["time"], crank["coordinate"] + coupler["coordinate"] + start,
+         reference["t"], reference["coupler"])
+    same(report, "four-bar linkage: rocker", crank["time"], rocker["coordinate"] + reference["rocker"][0],
+         reference["t"], reference["rocker"])
+    energy(report, run)
+    driven = checks.Run("four_bar_linkage_2d/driven.yaml", "outputs.frames.every={time: 10}")
+    crank, rocker = driven.series("crank"), driven.series("rocker")
+    reference = checks.reference("four_bar_linkage_2d", "kinematics.csv")
+    # The linkage starts with the crank at 90 degrees and turns once a second.
+    angle = (crank["coordinate"] + np.pi / 2) % (2 * np.pi)
+    expected = np.interp(angle, reference["crank_rad"], reference["rocker_rad"])
+    start = np.interp(np.pi / 2, reference["crank_rad"], reference["rocker_rad"])
+    # The table has steps of 3 degrees; linear interpolation of it is good to 2e-4.
+    report.check("four-bar linkage, driven: rocker, largest difference", np.abs(
+        rocker["coordinate"] + start - expected).max(), 0, 4e-4)
+
+
+def torque_free(report):
+    run = checks.Run("torque_free_body_3d/case.yaml", "outputs.frames.every={time: 10}")
+    box = run.series("box")
+    q = np.array([box[f"rotation_{c}"] for c in "wxyz"])
+    space = np.array([box[f"angular_velocity_{c}"] for c in "xyz"])
+    vector = -q[1:]  # the inverse turn: into axes of the body
+    own = space + 2 * q[0] * np.cross(vector.T, space.T).T + 2 * np.cross(vector.T, np.cross(vector.T, space.T)).T
+    reference = checks.reference("torque_free_body_3d", "angular_velocity.csv")
+    for c, name in enumerate(("wx_body", "wy_body", "wz_body")):
+        same(report, f"torque-free body: {name}", box["time"], own[c], reference["t"], reference[name])
+    flips = np.diff(zeros(box["time"], own[1]))
+    report.check("torque-free body: time between flips less 2.434493 s, of it", flips.mean() / 2.434493 - 1, -1e-5,
+                 1e-5)
+    energy(report, run)
+
+
+def slider_crank(report):
+    run = checks.Run(HERE / "slider_crank.yaml")
+    crank, slider = run.series("crank"), run.series("slider")
+    reference = table(HERE / "reference/slider_crank.csv")
+    same(report, "slider-crank: crank", crank["time"], crank["coordinate"] + np.pi / 4, reference["t"],
+         reference["crank_angle"])
+    same(report, "slider-crank: slider", slider["time"], slider["coordinate"] + reference["slider_x"][0],
+         reference["t"], reference["slider_x"])
+    forces = table(HERE / "reference/slider_crank_reactions.csv")
+    same(report, "slider-crank: force of the pin", crank["time"], crank["reaction_x"], forces["t"],
+         forces["pin_force_x_on_crank"], 1e-4)
+    same(report, "slider-crank: force of the guide", slider["time"], slider["reaction_y"], forces["t"],
+         forces["guide_force_y_on_slider"], 1e-4)
+    energy(report, run)
+
+
+def heavy_top(report):
+    run = checks.Run(HERE / "heavy_top.yaml")
+    top = run.series("top")
+    centre = np.array([top[f"center_{c}"] for c in "xyz"])
+    tilt = np.arccos(np.clip(centre[2] / np.linalg.norm(centre, axis=0), -1, 1))
+    report.check("heavy top: largest tilt less 35.2018 degrees", np.degrees(tilt.max()) - 35.2018, -0.002, 0.002)
+    reference = table(HERE / "reference/heavy_top.csv")
+    same(report, "heavy top: tilt", top["time"], tilt, reference["t"], reference["tilt_rad"])
+    energy(report, run)
+
+
+def trace(case, body, axes_of, every, last):
+    """The particles of a body at some times, one over the other, later ones darker."""
+    figure, axes = checks.new_plot(5, 5)
+    frames = [(t, f) for t, f in checks.Run(f"{case}/case.yaml").frames(body)][:last:every]
+    for n, (_, fields) in enumerate(frames):
+        x, y = (fields["position"][:, k] for k in axes_of)
+        axes.scatter(x, y, s=6, color=str(0.85 - 0.7 * n / max(1, len(frames) - 1)))
+    axes.set(aspect="equal", xlabel="xyz"[axes_of[0]] + " [m]", ylabel="xyz"[axes_of[1]] + " [m]",
+             title=f"from {frames[0][0]:g} s to {frames[-1][0]:.3g} s")
+    checks.save_plot(figure, case, f"{case}.png")
+
+
+def plot():
+    trace("pendulum_2d", "box", (0, 1), 2, 12)
+    trace("double_pendulum_2d", "bob", (0, 1), 1, 60)
+    trace("four_bar_linkage_2d", "rocker", (0, 1), 2, 20)
+    trace("torque_free_body_3d", "box", (0, 2), 6, 30)
+    figure, axes = checks.new_plot()
+    reference = checks.reference("pendulum_2d", "swing.csv")
+    axes.plot(reference["t"], np.degrees(reference["theta"]), "--", label="exact")
+    pin = checks.Run("pendulum_2d/case.yaml").series("pin")
+    axes.plot(pin["time"], np.degrees(pin["coordinate"]), label="sphinx")
+    axes.set(xlabel="t [s]", ylabel="angle [degrees]", title="Pendulum")
+    axes.legend()
+    checks.save_plot(figure, "pendulum_2d", "angle.png")
+
+
+def main():
+    checks.arguments(plot=plot)
+    report = checks.Report()
+    for test in (pendulum, double_pendulum, four_bar, torque_free, slider_crank, heavy_top):
+        test(report)
+    report.end()
+
+
+if __name__ == "__main__":
+    main()
