@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <new>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 namespace {
@@ -33,7 +34,10 @@ void print(const std::string& text) {
         throw FileError(std::string("cannot write the answer: ") + std::strerror(errno));
 }
 
-void printError(const std::string& text) { std::fprintf(stderr, "%s\n", text.c_str()); }
+/// Where no memory is left as well.
+void printError(std::string_view text) {
+    std::fprintf(stderr, "%.*s\n", static_cast<int>(text.size()), text.data());
+}
 
 /// What the command line says; each verb uses its part.
 struct CommandLine {

@@ -39,6 +39,7 @@ class Archive {
     /// Opens a named section; names of siblings differ. Throws FileError when loading and it is
     /// missing.
     virtual void enter(std::string_view name) = 0;
+    /// Does not throw: the end of a section is that of a scope.
     virtual void leave() = 0;
 
     /// A value that is no number of things when it is negative: then a FileError when loading.

@@ -4,7 +4,7 @@
 
 The incompressible flow has p = -0.14734 rho omega^2 L^2 at the centre at the start: the series for
 the Poisson equation with the right side 2 rho omega^2 and p = 0 on the sides. Sound goes to and fro
-in the square, so the mean is taken over its first quarter of a radian.
+in the square, so the mean is taken over a period of its lowest mode, sqrt(2) L/c.
 """
 
 import numpy as np

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check/checks.h"
 
+#include "core/memory_limit.h"
 #include "core/sum_all.h"
 #include "particles/lattice.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 namespace sphinx::check {
 namespace {
@@ -22,18 +21,6 @@ constexpr double bytes_of_particle = 100;
 constexpr double sampled_points = 1e6;
 /// Of the volume of a shape: what that of its particles may differ without a word.
 constexpr double most_volume_error = 0.01;
-
-/// Of the machine, or of the group of processes (cgroup) that the program belongs to.
-double physicalMemory() {
-    double bytes =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    for (const char* file :
-         {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
-        double limit = 0;  // or the word "max"
-        if (std::ifstream(file) >> limit) bytes = std::min(bytes, limit);
-    }
-    return bytes;
-}
 
 /// Number of lattice points in a shape, from a coarser lattice where there are many.
 template <int Dim>
@@ -205,6 +192,7 @@ void checkParticles(const model::Case& model, const bodies::World<Dim>& world,
 template <int Dim>
 void checkLattices(const model::Case& model, input::Diagnostics& diagnostics) {
     const std::string length = model.units.suffix(unit::length);
+    const MemoryLimit memory = memoryLimit();
     for (const model::Body& source : model.bodies) {
         if (source.shape.empty() || source.particles) continue;
         const auto& shape = *model.findShape(source.shape.text)->as<Dim>();
@@ -221,13 +209,14 @@ void checkLattices(const model::Case& model, input::Diagnostics& diagnostics) {
         }
         if (cells.prod() <= sampled_points) continue;
         const double count = countAbout<Dim>(shape, spacing);
-        if (count * bytes_of_particle > physicalMemory())
+        if (count * bytes_of_particle > memory.bytes)
             diagnostics.error(
                 source.place,
-                fmt::format("the lattice of spacing {:g}{} gives {} about {:.1g} "
-                            "particles, which do not fit in the memory of this "
-                            "machine ({:.2g} GB)",
-                            spacing, length, source.name, count, physicalMemory() / 1e9));
+                fmt::format("the lattice of spacing {:g}{} gives {} about {:.1g} particles, which "
+                            "do not fit in the memory of {} ({:.2g} GB)",
+                            spacing, length, source.name, count,
+                            memory.of_group ? "the cgroup of this process" : "this machine",
+                            memory.bytes / 1e9));
     }
 }
 

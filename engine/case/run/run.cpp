@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <memory>
 #include <new>
 
 namespace sphinx::run {
@@ -71,6 +72,7 @@ class Run {
             simulation_.checkHealth();
             throw;
         } catch (const std::bad_alloc&) {
+            room_to_tell_.reset();
             throw FileError(
                 fmt::format("no memory is left at time {}; restarts stay as they are", timeText()));
         }
@@ -164,6 +166,8 @@ class Run {
     const io::Provenance& provenance_;
     Simulation<Dim> simulation_;
     std::optional<double> asked_to_stop_;  // wall time
+    /// Given up when no memory is left: to say so takes some.
+    std::unique_ptr<char[]> room_to_tell_ = std::make_unique<char[]>(1 << 14);
 };
 
 std::vector<io::Path> filesRead(const model::Case& model, const RunOptions& options) {

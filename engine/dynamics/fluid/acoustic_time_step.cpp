@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/fluid/largest_speed.h"
+#include "dynamics/fluid/largest.h"
 #include "dynamics/methods.h"
 #include "materials/fluid.h"
 

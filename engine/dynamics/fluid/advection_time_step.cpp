@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/fluid/largest_speed.h"
+#include "dynamics/fluid/largest.h"
 #include "dynamics/methods.h"
 #include "materials/fluid.h"
 
@@ -11,7 +11,11 @@
 namespace sphinx::dynamics::fluid {
 namespace {
 
-/// Advection criterion, guide (52): CFL min(h / max(abs(v)_max, v_ref), h^2 / nu).
+/// Advection criterion, guide (52): CFL min(h / max(abs(v)_max, v_ref), h^2 / nu), with v_ref at
+/// least the speed sqrt(2 abs(p)_max/rho0) to which the pressure could drive the fluid. Between two
+/// advection steps the gradients of the kernel stay as they are: what a displacement under pressure
+/// changes of the force acts late, like a spring with a lag, and feeds noise at a rate that grows
+/// with p and with the step. free_surface.md has a tank.
 struct AdvectionTimeStepParameters {
     input::Name body;
     double reference_speed = 0;  ///< velocity; keeps the step finite while the fluid is at rest
@@ -33,21 +37,25 @@ void declareAdvectionTimeStep(input::Registry& registry) {
             const double nu = fluid.viscosity() / fluid.density();
             const double cfl = p.cfl.value_or(advectionCfl(body.kernel.type()));
             return [&, p, nu, cfl] {
-                const double speed2 = largestSquaredSpeed(body);
+                const double speed2 =
+                    std::max(largestSquaredSpeed(body),
+                             2 * largestPressure(body) / body.fluid().material->density());
                 const double h = body.kernel.smoothingLength();
                 const double step = h / std::max(std::sqrt(speed2), p.reference_speed);
                 return cfl * (nu > 0 ? std::min(step, h * h / nu) : step);
             };
         });
     d.summary("Time step by advection and viscosity");
-    d.formula("guide (52): cfl min(h / max(abs(v)_max, reference_speed), h^2 / nu)");
+    d.formula(
+        "guide (52): cfl min(h / max(abs(v)_max, sqrt(2 abs(p)_max/rho0), reference_speed), h^2 / "
+        "nu)");
     d.cite("guide", "(52)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.required("reference_speed", &P::reference_speed, input::number(unit::velocity).above(0),
                "typical speed of the flow; keeps the step finite while the fluid is at rest");
     d.optional("cfl", &P::cfl, input::number(unit::none).above(0).atMost(1),
                "factor; default: 0.25, with quintic_spline 0.325, whose h is the smaller");
-    d.timeStep("").reads("body", {"velocity"});
+    d.timeStep("").reads("body", {"velocity", "pressure"});
 }
 
 }  // namespace sphinx::dynamics::fluid

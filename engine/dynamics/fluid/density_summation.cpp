@@ -13,8 +13,8 @@
 namespace sphinx::dynamics::fluid {
 namespace {
 
-/// Of the difference from the sum, in each call.
-constexpr double correction = 0.02;
+/// tau c0, in spacings.
+constexpr double relaxation_length = 150;
 
 template <int Dim>
 class DensitySummation final : public Method {
@@ -31,8 +31,8 @@ class DensitySummation final : public Method {
         double weight;
     };
 
-    void runFree();
-    double freeDensity(std::size_t i);
+    void runFree(double dt);
+    double freeDensity(std::size_t i, double correction);
     double share(std::size_t i) const;
     bool seesSolid(std::size_t i) const;
     bool isInside(std::size_t i) const;
@@ -43,6 +43,7 @@ class DensitySummation final : public Method {
     double lattice_sum_;  // S0
     double least_share_;  // of S0 that a particle with support has
     double cell_;         // volume of a particle of the lattice
+    double tau_;
     std::vector<Term> terms_;
     const Relation<Dim>* self_ = nullptr;
     Field<double>& mass_;
@@ -60,6 +61,7 @@ DensitySummation<Dim>::DensitySummation(Context<Dim>& context, const DensitySumm
       lattice_sum_(body_->kernel.latticeSum()),
       least_share_(0.5 + 0.5 * body_->kernel.surfaceSum() / lattice_sum_),
       cell_(std::pow(body_->spacing, Dim)),
+      tau_(relaxation_length * body_->spacing / body_->fluid().material->soundSpeed()),
       mass_(body_->particles.scalar(fields::mass)),
       density_(body_->particles.scalar(fields::density)),
       slack_(body_->particles.scalar(fields::slack)) {
@@ -74,20 +76,21 @@ DensitySummation<Dim>::DensitySummation(Context<Dim>& context, const DensitySumm
 }
 
 template <int Dim>
-void DensitySummation<Dim>::run(const Clock&) {
-    if (!reference_) return runFree();
+void DensitySummation<Dim>::run(const Clock& clock) {
+    if (!reference_) return runFree(clock.is_start ? 0 : clock.dt);
     parallelFor(body_->size(), [&](std::size_t i) { density_[i] = (*reference_)[i] * share(i); });
 }
 
 template <int Dim>
-void DensitySummation<Dim>::runFree() {
+void DensitySummation<Dim>::runFree(double dt) {
+    const double correction = -std::expm1(-dt / tau_);
     share_.resize(body_->held());
     parallelFor(body_->size(), [&](std::size_t i) { share_[i] = share(i); });
-    parallelFor(body_->size(), [&](std::size_t i) { density_[i] = freeDensity(i); });
+    parallelFor(body_->size(), [&](std::size_t i) { density_[i] = freeDensity(i, correction); });
 }
 
 template <int Dim>
-double DensitySummation<Dim>::freeDensity(std::size_t i) {
+double DensitySummation<Dim>::freeDensity(std::size_t i, double correction) {
     const double rho = density_[i];
     const bool was_slack = slack_[i] > 0;
     const bool at_solid = seesSolid(i);
@@ -134,9 +137,9 @@ void declareDensitySummation(input::Registry& registry) {
     auto& d = declareMethod<DensitySummation, P>(registry, "fluid.density_summation");
     d.summary("Density from the sum of the kernel over the neighbors");
     d.formula(
-        "free: rho += (m/V0 S/S0 - rho)/50 where no surface cuts off a part of S, else guide (54): "
-        "max(rho, m/V0 S/S0), and no tension without support or at solids; (55) confined: "
-        "rho(start) S/S0");
+        "free: rho += (1 - exp(-dt/tau)) (m/V0 S/S0 - rho), tau = 150 spacing/c0, where no surface "
+        "cuts off a part of S, else guide (54): max(rho, m/V0 S/S0), and no tension without "
+        "support or at solids; (55) confined: rho(start) S/S0");
     d.cite("guide", "(54), (55)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.optional("surface", &P::surface,

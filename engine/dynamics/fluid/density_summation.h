@@ -13,7 +13,8 @@ enum class Surface { free, confined };
 /// lattice of the body.
 ///   confined: rho_i = rho_i(start) S_i/S0, guide (55), so that an initial pressure is kept
 ///   free:     with the sum rho_S = m_i/V0 S_i/S0, V0 the volume of a cell of the lattice,
-///             rho_i += (rho_S - rho_i)/50 inside, rho_i = max(rho_i, rho_S), guide (54), elsewhere
+///             drho_i/dt = (rho_S - rho_i)/tau inside, by its solution over the step of its layer,
+///             rho_i = max(rho_i, rho_S), guide (54), elsewhere
 /// Inside is where no neighbor lacks support: no surface cuts off a part of the sum. A particle has
 /// support if S_i is nearer to S0 than that of the outermost row of a flat surface.
 ///
@@ -21,7 +22,13 @@ enum class Surface { free, confined };
 /// back, most of all where a gap opens at a wall, and water at rest swells by 0.3 spacings in
 /// 10 sqrt(H/g). The whole difference at once is no better: the Riemann problems take the noise out
 /// of the density and the sum puts it back in each step; that feeds motion, and the kinetic energy
-/// of water at rest is five times that of a fiftieth.
+/// of water at rest is five times that with tau.
+///
+/// tau = 150 dp/c0, dp the spacing. The Riemann problems spread density with D = c0 <r>
+/// (Dim+1)/2Dim, <r> the mean distance under the kernel: D = 0.65 c0 dp in 2D, 0.73 in 3D. sqrt(D
+/// tau) is ten spacings, the least that is resolved: below, the density is theirs, and of the noise
+/// of the sum 1/260 gets into it. Above it is the sum's, since they have nothing to hold a level
+/// by.
 ///
 /// Tension: without support, and at solids, a fluid with a free surface is slack (fields::slack):
 /// its density may sink below rho0, but no pressure and no volume follow (PressureRelaxation). What

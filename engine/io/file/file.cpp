@@ -124,16 +124,17 @@ void File::close() {
 
 Path temporaryName(const Path& path) { return path.string() + ".tmp"; }
 
-AtomicFile::AtomicFile(const Path& path) : path_(path), file_(File::create(temporaryName(path))) {}
+AtomicFile::AtomicFile(const Path& path)
+    : path_(path), temporary_(temporaryName(path)), file_(File::create(temporary_)) {}
 
 AtomicFile::~AtomicFile() {
-    if (!committed_) ::unlink(temporaryName(path_).c_str());
+    if (!committed_) ::unlink(temporary_.c_str());
 }
 
 void AtomicFile::commit() {
     file_.sync();
     file_.close();
-    renameFile(temporaryName(path_), path_);
+    renameFile(temporary_, path_);
     committed_ = true;
 }
 

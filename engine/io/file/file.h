@@ -62,6 +62,7 @@ class AtomicFile {
 
  private:
     Path path_;
+    Path temporary_;  // kept: the destructor must not run out of memory
     File file_;
     bool committed_ = false;
 };

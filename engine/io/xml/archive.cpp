@@ -96,15 +96,24 @@ std::string readTextElement(XmlReader& reader, const XmlElement& element) {
     return std::move(*bytes);
 }
 
+void XmlSaveArchive::endSections() {
+    for (; left_ > 0; --left_) xml_ += "</section>\n";
+}
+
+const std::string& XmlSaveArchive::xml() {
+    endSections();
+    return xml_;
+}
+
 void XmlSaveArchive::transfer(std::string_view name, ArchiveValue& v) {
+    endSections();
     std::visit([&](const auto& value) { appendValue(xml_, name, value); }, v);
 }
 
 void XmlSaveArchive::enter(std::string_view name) {
+    endSections();
     xml_ += "<section " + nameAttribute(name) + ">\n";
 }
-
-void XmlSaveArchive::leave() { xml_ += "</section>\n"; }
 
 struct XmlLoadArchive::SectionNode {
     std::map<std::string, ArchiveValue, std::less<>> values;

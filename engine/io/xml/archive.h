@@ -21,15 +21,17 @@ class XmlSaveArchive final : public Archive {
     bool loading() const override { return false; }
     bool has(std::string_view) const override { return true; }
     void enter(std::string_view name) override;
-    void leave() override;
+    void leave() override { ++left_; }
 
     /// Everything saved so far, in lines.
-    const std::string& xml() const { return xml_; }
+    const std::string& xml();
 
  private:
     void transfer(std::string_view name, ArchiveValue& v) override;
+    void endSections();
 
     std::string xml_;
+    int left_ = 0;  // sections whose end is written before what comes next: that may need memory
 };
 
 /// Gives back what an XmlSaveArchive collected. What is not there is a FileError that names it.

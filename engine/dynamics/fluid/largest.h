@@ -23,4 +23,20 @@ double largestSquaredSpeed(Body<Dim>& body) {
         [](double a, double b) { return b > a ? b : a; }, group_block);
 }
 
+/// Largest abs(p) in the same way.
+template <int Dim>
+double largestPressure(Body<Dim>& body) {
+    const Field<double>& pressure = body.particles.scalar(fields::pressure);
+    const std::size_t n = pressure.size();
+    return reduceAll(
+        groupCount(n), 0.0,
+        [&](std::size_t begin, std::size_t end) {
+            Wide largest = 0;
+            for (std::size_t number = begin; number < end; ++number)
+                largest = max(largest, abs(load(pressure, groupOf(number, n))));
+            return maxOf(largest);
+        },
+        [](double a, double b) { return b > a ? b : a; }, group_block);
+}
+
 }  // namespace sphinx::dynamics::fluid
