@@ -352,7 +352,8 @@ void PressureRelaxation<Dim>::continuity(double dt) {
 /// What both sums need of the solids that the fluid sees.
 input::Action& readSolids(input::Action& action) {
     return action.reads("neighbors.solid", {"volume"})
-        .reads("neighbors.driven", {"normal", "velocity", "acceleration"})
+        .reads("neighbors.rigid", {"normal"})
+        .reads("neighbors.driven", {"velocity", "acceleration"})
         .reads("neighbors.responding", {"average_velocity"});
 }
 

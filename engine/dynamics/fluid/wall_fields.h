@@ -7,14 +7,18 @@
 namespace sphinx::dynamics::fluid {
 
 /// What a fluid sees of a solid. A solid that answers to forces (elastic, or of a mechanism) makes
-/// several steps in one of the fluid: its velocity is averaged over them (fsi.average_kinematics). Its acceleration is left out of the
-/// ghost pressure: what the fluid felt of it would push the solid a step later, and a stiff plate
-/// under water (cases/hydrostatic_plate_fsi_2d) then swings up at any step. That is an error of
-/// rho a r/2 in the pressure on it, of first order in the spacing. The fluid meets such a solid
-/// along the line of the two particles, a rigid one along its normal: terms/wall.h.
+/// several steps in one of the fluid: its velocity is averaged over them (fsi.average_kinematics).
+/// Its acceleration is left out of the ghost pressure: what the fluid felt of it would push the
+/// solid a step later, and a stiff plate under water (cases/hydrostatic_plate_fsi_2d) then swings up
+/// at any step. That is an error of rho a r/2 in the pressure on it, of first order in the spacing.
+/// The fluid meets an elastic solid along the line of the two particles, a rigid one along its
+/// normal (terms/wall.h), whether or not it moves: along the line it is friction, by which a
+/// cylinder that enters water is a tenth of its diameter late.
 template <int Dim>
 struct WallFields {
     bool responds;  ///< Body::responds
+    /// The fluid meets it along the line of the two particles, not along its normal.
+    bool along_line;
     const Field<Vec<Dim>>* velocity;
     const Field<Vec<Dim>>* acceleration;  ///< null: not seen
     const Field<Vec<Dim>>* normal;
@@ -22,7 +26,7 @@ struct WallFields {
     const Field<double>* volume;
     const Field<Vec<Dim>>* slip;  ///< null: it makes no steps of its own
 
-    explicit WallFields(Body<Dim>& solid) : responds(solid.responds()) {
+    explicit WallFields(Body<Dim>& solid) : responds(solid.responds()), along_line(solid.isElastic()) {
         ParticleSet<Dim>& p = solid.particles;
         velocity = &p.vector(responds ? fields::average_velocity : fields::velocity);
         acceleration = responds ? nullptr : &p.vector(fields::acceleration);

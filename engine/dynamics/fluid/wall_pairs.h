@@ -36,7 +36,7 @@ inline FluidSide<Dim, Lanes> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, doub
 /// points.
 template <int Dim>
 inline void gatherNormals(const WallFields<Dim>& fields, const Pairs<Dim>& pair, Lanes (&n)[Dim]) {
-    if (fields.responds)
+    if (fields.along_line)
         for (int c = 0; c < Dim; ++c) n[c] = pair.gradient[c] * pair.inverse_dW;
     else
         gatherVectors<Dim>(fields.normal->data(), pair.index, n);
@@ -95,7 +95,7 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         WallSide<Dim, Lanes> wall;
         spread<Dim>((*fields.velocity)[j], wall.v);
         if (fields.acceleration) spread<Dim>((*fields.acceleration)[j], wall.a);
-        if (fields.responds)
+        if (fields.along_line)
             gatherNormals(fields, pair, wall.n);
         else
             spread<Dim>((*fields.normal)[j], wall.n);
