@@ -32,11 +32,12 @@ inline FluidSide<Dim, Lanes> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, doub
     return fluid;
 }
 
-/// Direction along which the fluid meets the wall particles of eight pairs, whichever way it
-/// points.
+/// Direction along which a motion against the wall particles of eight pairs counts, whichever way
+/// it points: along the line of the pair, or along their normals.
 template <int Dim>
-inline void gatherNormals(const WallFields<Dim>& fields, const Pairs<Dim>& pair, Lanes (&n)[Dim]) {
-    if (fields.along_line)
+inline void gatherNormals(const WallFields<Dim>& fields, const Pairs<Dim>& pair, bool along_line,
+                          Lanes (&n)[Dim]) {
+    if (along_line)
         for (int c = 0; c < Dim; ++c) n[c] = pair.gradient[c] * pair.inverse_dW;
     else
         gatherVectors<Dim>(fields.normal->data(), pair.index, n);
@@ -53,7 +54,7 @@ inline void addWallClosure(const WallFields<Dim>& fields, const NeighborList<Dim
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallSide<Dim, Lanes> wall;
         gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
-        gatherNormals(fields, pair, wall.n);
+        gatherNormals(fields, pair, fields.along_line.density, wall.n);
         sum.addProduct(units * wallClosingRate<Dim, Lanes>(v, wall, pair),
                        gatherLanes(fields.volume->data(), pair.index));
     });
@@ -73,7 +74,7 @@ inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Di
         gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
         if (fields.acceleration)
             gatherVectors<Dim>(fields.acceleration->data(), pair.index, wall.a);
-        gatherNormals(fields, pair, wall.n);
+        gatherNormals(fields, pair, fields.along_line.pressure, wall.n);
         const Lanes p2 =
             twiceWallPressure<R, Dim, Lanes>(constants, fluid, wall, pair, distances.next());
         const Lanes f = p2 * (V * gatherLanes(fields.volume->data(), pair.index));
@@ -95,8 +96,8 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         WallSide<Dim, Lanes> wall;
         spread<Dim>((*fields.velocity)[j], wall.v);
         if (fields.acceleration) spread<Dim>((*fields.acceleration)[j], wall.a);
-        if (fields.along_line)
-            gatherNormals(fields, pair, wall.n);
+        if (fields.along_line.pressure)
+            gatherNormals(fields, pair, fields.along_line.pressure, wall.n);
         else
             spread<Dim>((*fields.normal)[j], wall.n);
         FluidSide<Dim, Lanes> fluid;

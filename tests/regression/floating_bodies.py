@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 The sphinx developers
+# SPDX-License-Identifier: Apache-2.0
+"""Free rigid bodies in water, floating_box_2d: draft, tilt and stability as Archimedes has them, and that nothing drives
+or shakes them. A square of a quarter of the water's density heels by atan(1/2) = 26.57 degrees, one of half the density by
+45 (the minima of the potential energy); twice as wide as high it floats upright.
+
+With --study the tables of the README.
+"""
+
+import numpy as np
+
+import checks
+
+G = 9.81
+CASE = "floating_box_2d/case.yaml"
+RISE_LIMIT = {0.1: 0.4, 0.5: 0.25, 0.9: 0.25}  # spacings; measured 0.34, 0.22, 0.21
+TILT_LIMIT = 1.5      # degrees; a lattice that is turned is not symmetric
+HEEL_LIMIT = 2.5      # degrees
+DRIFT_LIMIT = 0.01    # sqrt(g h), mean speed of a body that should stay
+SHAKE_LIMIT = 0.025   # g, rms; measured 0.019, 0.015, 0.007
+
+
+def run(ratio, tilt=0.0, width=1.0, end=6.0, spacing="height/10"):
+    settings = [f"variables.ratio={ratio}", f"variables.tilt={np.radians(tilt)}", f"variables.width={width}",
+                f"loop.end_time={end}", f"variables.spacing={spacing}", "outputs.frames.every={time: 100}"]
+    box = checks.Run(CASE, *settings).series("box")
+    late = box["time"] > 0.6 * end
+    time = box["time"][late]
+    speed = box["velocity_y"][late]
+    return {
+        "rise": (box["center_y"][late].mean() - box["center_y"][0]) / 0.05,
+        "angle": tilt + np.degrees(box["angle"][late].mean()),
+        "drift": (box["center_x"][late][-1] - box["center_x"][late][0]) / (time[-1] - time[0]),
+        "shake": np.sqrt((np.gradient(speed, time)**2).mean()) / G,
+        "force": box["particle_force_y"][late].mean() / (1000 * ratio * width * 0.5 * G),
+    }
+
+
+def study():
+    for ratio in (0.1, 0.3, 0.5, 0.9):
+        found = run(ratio)
+        print(f"| {ratio} | {found['rise']:+.2f} | {found['angle']:+.2f} | {found['shake']:.3f} | {found['force']:.3f} |",
+              flush=True)
+    for ratio, tilt in ((0.25, 20), (0.5, 8)):
+        found = run(ratio, tilt, 0.5, 16)
+        print(f"| square, {ratio} | {found['angle']:.1f} | {found['drift']:+.4f} |", flush=True)
+
+
+def main():
+    options = checks.arguments(study=study)
+    report = checks.Report()
+    for ratio in (0.1, 0.5, 0.9) if options.long else (0.1, 0.9):
+        found = run(ratio)
+        report.check(f"density {ratio}: stands above Archimedes' height, spacings", found["rise"], -RISE_LIMIT[ratio],
+                     RISE_LIMIT[ratio])
+        report.check(f"density {ratio}: tilt, degrees", found["angle"], -1, 1)
+        report.check(f"density {ratio}: drift, m/s", found["drift"], -DRIFT_LIMIT, DRIFT_LIMIT)
+        report.check(f"density {ratio}: acceleration, rms, g", found["shake"], 0, SHAKE_LIMIT)
+        report.check(f"density {ratio}: force of the water over the weight", found["force"], 0.99, 1.01)
+    found = run(0.5, 10, end=10)
+    report.check("let go at 10 degrees: tilt, degrees", found["angle"], -TILT_LIMIT, TILT_LIMIT)
+    if options.long:
+        for ratio, tilt, heel in ((0.25, 20, 26.57), (0.5, 8, 45)):
+            found = run(ratio, tilt, 0.5, 16)
+            report.check(f"square of density {ratio}: heels by, degrees", abs(found["angle"]), heel - HEEL_LIMIT,
+                         heel + HEEL_LIMIT)
+            report.check(f"square of density {ratio}: drift, m/s", found["drift"], -DRIFT_LIMIT, DRIFT_LIMIT)
+    report.end()
+
+
+if __name__ == "__main__":
+    main()
