@@ -16,8 +16,8 @@ LEVEL_LIMIT = 0.1    # of a spacing, mean over the last tenth of the time
 NOISE_LIMIT = 4e-4   # kinetic energy / (rho g H^2 L); Wendland C2 as in hydrostatic_tank_2d has 2e-4
 
 
-def measure(spacing):
-    run = checks.Run(CASE, f"variables.spacing={spacing}")
+def measure(spacing, *settings):
+    run = checks.Run(CASE, f"variables.spacing={spacing}", *settings)
     gauge, energy = run.series("elevation"), run.series("energy")
     level = np.mean([gauge[name] for name in gauge if name.startswith("elevation_")], axis=0)
 
@@ -42,6 +42,8 @@ def main():
     found = measure(0.02)
     report.check("rise of the level in spacings", found["rise"], -LEVEL_LIMIT, LEVEL_LIMIT)
     report.check("kinetic energy / (rho g H^2 L)", found["kinetic"], 0, NOISE_LIMIT)
+    forced = measure(0.02, "dynamics.gravity.type=force.body_force")
+    report.check("rise under a body force less that under gravity", forced["rise"] - found["rise"], 0, 0)
     report.end()
 
 
