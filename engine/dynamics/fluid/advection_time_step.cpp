@@ -11,7 +11,9 @@
 namespace sphinx::dynamics::fluid {
 namespace {
 
-/// Advection criterion, guide (52): CFL min(h / max(abs(v)_max, v_ref), h^2 / nu).
+/// Advection criterion, guide (52): CFL min(h / max(abs(v)_max, v_ref), h^2 / nu); and no more than
+/// 2 / lambda, beyond which the viscous force swings up whatever the factor. lambda is the largest
+/// rate at which it changes velocities (viscous_bound.h).
 struct AdvectionTimeStepParameters {
     input::Name body;
     double reference_speed = 0;  ///< velocity; keeps the step finite while the fluid is at rest
@@ -36,11 +38,16 @@ void declareAdvectionTimeStep(input::Registry& registry) {
                 const double speed2 = largestSquaredSpeed(body);
                 const double h = body.kernel.smoothingLength();
                 const double step = h / std::max(std::sqrt(speed2), p.reference_speed);
-                return cfl * (nu > 0 ? std::min(step, h * h / nu) : step);
+                if (nu == 0) return cfl * step;
+                const double rate = body.fluid().viscous.rate(fluid.density());
+                return std::min(cfl * std::min(step, h * h / nu), rate > 0 ? 2 / rate : step);
             };
         });
     d.summary("Time step by advection and viscosity");
-    d.formula("guide (52): cfl min(h / max(abs(v)_max, reference_speed), h^2 / nu)");
+    d.formula(
+        "guide (52): cfl min(h / max(abs(v)_max, reference_speed), h^2 / nu); at most 2 / lambda, "
+        "the largest rate at which the viscous force changes a velocity on a lattice: about mu/rho "
+        "times twice the sum of its weights");
     d.cite("guide", "(52)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.required("reference_speed", &P::reference_speed, input::number(unit::velocity).above(0),
