@@ -6,7 +6,9 @@ import copy
 import csv
 import unittest
 
-from support import Promise
+import numpy as np
+
+from support import REPOSITORY, Promise
 
 CELLS = 8
 SIDE = 1.0
@@ -62,6 +64,19 @@ class ViscousStep(Promise):
         case["loop"]["end_time"] = 0.003
         speed = self.largest_speed(case, "dynamics.viscosity.form=central")
         self.assertLess(speed, 0.09 * SPEED)
+
+    def test_light_elastic_body(self):
+        """It answers the fluid faster than the fluid itself, and is dragged as a heavy one."""
+        case = REPOSITORY / "cases/shear_driven_elastic_layer_2d/case.yaml"
+        forces = []
+        for density in (1, 0.05):
+            output = self.folder / f"layer_{density}"
+            said = self.sphinx(case, output, "--set", "variables.spacing=gap/10", "--set", "loop.end_time=0.5",
+                               "--set", "dynamics.advection_dt.cfl=0.25", "--set", f"materials.gel.density={density}")
+            self.assertNotIn("warning: time", said)
+            rows = np.genfromtxt(output / "force.csv", delimiter=",", names=True)
+            forces.append(np.interp(0.5, rows["time"], rows["viscous_force_x"]))
+        self.assertAlmostEqual(forces[0], forces[1], delta=0.05 * forces[0])
 
     def test_shear_wave(self):
         """exp(-nu k^2 t), of which the central form has 0.8 to 1.2 in the exponent."""

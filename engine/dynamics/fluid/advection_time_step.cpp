@@ -47,7 +47,8 @@ void declareAdvectionTimeStep(input::Registry& registry) {
     d.formula(
         "guide (52): cfl min(h / max(abs(v)_max, reference_speed), h^2 / nu); at most 2 / lambda, "
         "the largest rate at which the viscous force changes a velocity on a lattice: about mu/rho "
-        "times twice the sum of its weights");
+        "times twice the sum of its weights, those of walls with 1/rho_s in place of 1/rho for the "
+        "lightest elastic body that fsi.viscous_force pushes, where it is lighter than the fluid");
     d.cite("guide", "(52)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.required("reference_speed", &P::reference_speed, input::number(unit::velocity).above(0),

@@ -133,3 +133,24 @@ TEMPLATE_TEST_CASE_SIG("the advection step is no larger than the force allows", 
     const double h = 1.3 * spacing;
     CHECK(step(", cfl: 0.1") == Approx(0.1 * h * h * density / viscosity));
 }
+
+TEST_CASE("a light elastic body that viscous forces push bounds the step") {
+    Scene<2> scene;
+    const double top = 6 * spacing;
+    Body<2>& water = scene.fluid("water", scene.box({0, 0}, {top, top}), {.viscosity = viscosity});
+    Body<2>& plate =
+        scene.elastic("plate", scene.box({0, -3 * spacing}, {top, 0}), {.density = 0.1});
+    water.sees = {&water, &plate};
+    plate.sees = {&plate, &water};
+    const auto force = scene.method("type: fluid.viscous_force, body: water");
+    const auto drag = scene.method("type: fsi.viscous_force, body: plate, from: water");
+    force->announce();
+    const double alone = water.fluid().viscous.rate(density);
+    drag->announce();
+    // By half of the weights or more, 20 times.
+    CHECK(water.fluid().viscous.rate(density) > 5 * alone);
+    CHECK(water.fluid().viscous.rate(density) < 20 * alone);
+    const auto step =
+        scene.timeStep("type: fluid.advection_time_step, body: water, reference_speed: 1e-3");
+    CHECK(step->estimate() == 2 / water.fluid().viscous.rate(density));
+}
