@@ -7,7 +7,9 @@
 #include "materials/fluid.h"
 #include "materials/material.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -20,11 +22,25 @@ struct BodyPart;
 // works on a body asks it for the role that it needs (Body::fluid() and others) and gets the
 // material and what only bodies of that role know.
 
+/// What the viscous forces on a fluid do at most, as they have announced.
+struct ViscousRates {
+    double whole = 0;  ///< dynamic viscosity by area: its largest eigenvalue times mu
+    double walls = 0;  ///< what solids have in it
+    /// Least density of the elastic bodies that they push.
+    double lightest_solid = std::numeric_limits<double>::infinity();
+
+    /// Of change of a velocity, 1/time, in a fluid of that density. Light solids change faster.
+    double rate(double density) const {
+        return whole / density + walls * std::max(0.0, 1 / lightest_solid - 1 / density);
+    }
+};
+
 /// Moves by its pressure.
 template <int Dim>
 struct FluidRole {
     std::shared_ptr<const materials::Fluid> material;
     Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
+    ViscousRates viscous = {};
 };
 
 /// Does not deform: stands still, moves as prescribed, or as a mechanism moves it (multibody).

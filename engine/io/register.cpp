@@ -93,7 +93,8 @@ void declareRestart(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::output, "restart");
     d.summary(
         "States from which a run goes on with the same bits: restart/NAME_STEP.xml. Without such "
-        "an output, a run keeps the state at which it ends");
+        "an output, a run keeps the state at which it ends. A run that fails leaves the state "
+        "of some steps before");
     d.optional("keep", &P::keep, input::integer().atLeast(1), "newest files that stay");
     d.optional("encoding", &P::encoding,
                input::choice<RestartEncoding>({

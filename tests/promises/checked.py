@@ -19,12 +19,33 @@ BLOCK = {
 }
 
 
+def standing(velocity, domain=None, **shapes):
+    """A rigid body with a velocity that nothing moves, and water about it."""
+    acoustic = {"layer": "acoustic", "dt": "acoustic_dt",
+                "steps": ["relaxation.first_half", "relaxation.second_half"]}
+    return {**BLOCK, **({"domain": domain} if domain else {}), "geometry": shapes,
+            "materials": {**BLOCK["materials"], "rigid": {"type": "rigid"}},
+            "bodies": {**BLOCK["bodies"], "wall": {"kind": "solid", "shape": "wall", "material": "rigid",
+                                                   "initial": {"velocity": velocity}}},
+            "topology": {"water": ["self", "wall"]},
+            "dynamics": {**BLOCK["dynamics"],
+                         "gravity": {"type": "force.gravity", "body": "water", "acceleration": [0, 0]},
+                         "normals": {"type": "geometry.normals_from_shape", "body": "wall"},
+                         "relaxation": {"type": "fluid.pressure_relaxation", "body": "water"},
+                         "acoustic_dt": {"type": "fluid.acoustic_time_step", "body": "water"}},
+            "loop": {"end_time": 0.001, "start": ["neighbors", "normals"], "layer": "all", "dt": 0.001,
+                     "steps": ["gravity", acoustic, "neighbors"]}}
+
+
 class Checked(Promise):
     def check(self, case):
+        return self.check_ends(case, 0)
+
+    def check_ends(self, case, code):
         path = self.write_case("case", case)
         done = subprocess.run([SPHINX, "check", path], capture_output=True, text=True, timeout=SECONDS,
                               check=False)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout + done.stderr
 
     def block(self, **shape):
@@ -48,6 +69,27 @@ class Checked(Promise):
         self.assertRegex(said, r"warning: the particles of water have \+1\.9 % of the volume of its shape, "
                                r"0\.8 m\^3 for 0\.785398 m\^3: the shape measures 10 x 10 spacings")
         self.assertNotIn("volume of its shape", self.block(box={"lower": [0, 0], "upper": [1, 1]})[0])
+
+    def test_rigid_bodies_slide_and_do_not_move(self):
+        lid = {"box": {"lower": [0, 1], "upper": [1, 1.4]}}
+        wide_lid = {"box": {"lower": [-0.4, 1], "upper": [1.4, 1.4]}}
+        cavity = {"box": {"lower": [0, 0], "upper": [1, 1]}}
+        ring = {"difference": [{"circle": {"center": [0, 0], "radius": 1.4}},
+                               {"circle": {"center": [0, 0], "radius": 1}}]}
+        disc = {"circle": {"center": [0, 0], "radius": 1}}
+        drop = {"box": {"lower": [0, 3], "upper": [1, 4]}}
+        turning = ["0 - 3*y", "3*x"]
+        periodic = {"lower": [0, -0.5], "upper": [1, 2], "periodic": ["x"]}
+        for case in (standing([1, 0], block=cavity, wall=lid), standing([1, 0], block=cavity, wall=wide_lid),
+                     standing([1, 0], periodic, block=cavity, wall=lid),
+                     standing(turning, block=disc, wall=ring), standing(turning, block=ring, wall=disc),
+                     standing([1, 0], block=drop, wall=wide_lid), standing([0, 0], block=cavity, wall=lid)):
+            self.check(case)
+        for case in (standing([0, 1], block=cavity, wall=lid), standing([0.995, 0.1], block=cavity, wall=lid),
+                     standing(["x", "y"], block=disc, wall=ring), standing([1, 0], block=ring, wall=disc),
+                     standing([0, -1], block=drop, wall=wide_lid)):
+            self.assertIn("wall stands still: a rigid body moves by constraint.prescribed_motion",
+                          self.check_ends(case, 2))
 
     def test_a_lattice_on_opposite_faces_moves_by_half_a_spacing(self):
         for shift in (0, 0.05, 0.5, -0.35):

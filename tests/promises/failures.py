@@ -96,6 +96,70 @@ class BlownUp(Promise):
                 self.assertTrue(np.isfinite(Restart(path).values("water", field)).all(), path)
 
 
+class KeptState(Promise):
+    """A run that fails leaves a state of some steps before, also where no restart was asked for."""
+
+    # The splash runs through the end of the room; the water before it does not notice.
+    ROOM = {"lower": [-0.2, -0.2], "upper": [1.2, 1.2]}
+    LOST = r"particle \d+ of water left the domain"
+
+    def fails(self, case, output, message, *arguments):
+        said = self.sphinx(case, output, *arguments, expect=3)
+        self.assertRegex(said, message)
+        results.check_readable(output)
+        kept = last_restart(output)
+        self.assertRegex(said, rf"the state of time {kept.time:.6g}( s)? is kept: --resume goes on from it")
+        return kept
+
+    def room(self, outputs, lost_particles):
+        case = load_case("splash_2d")
+        case["domain"] = {**self.ROOM, "lost_particles": lost_particles}
+        case["geometry"]["tank"] = {"intersection": [case["geometry"]["tank"], {"box": {
+            "lower": [-0.2, -0.2], "upper": [1.2, 1.2]}}]}
+        case["outputs"] = {name: case["outputs"][name] for name in outputs}
+        return self.write_case(f"room_{lost_particles}", case)
+
+    def test_lost_particle(self):
+        for outputs in ((), ("frames", "inner", "energy", "path", "restart")):
+            with self.subTest(outputs=outputs):
+                strict, generous = self.room(outputs, "stop"), self.room(outputs, "remove")
+                whole, output = self.folder / f"whole_{len(outputs)}", self.folder / f"out_{len(outputs)}"
+                self.sphinx(generous, whole)
+                kept = self.fails(strict, output, self.LOST)
+                # Just before: what is lost is a small part of what was computed.
+                said = self.sphinx(strict, output, "--resume", expect=3)
+                time = float(re.search(r"time (\S+): it reaches", said).group(1))
+                self.assertGreater(kept.time, 0.8 * time)
+                self.assertGreaterEqual(last_restart(output).steps, kept.steps)
+                arguments = ("--set", "domain.lost_particles=remove")
+                self.sphinx(strict, output, "--resume", *arguments)
+                self.assert_same_physics(last_restart(output), last_restart(whole))
+                shutil.rmtree(output / "failed")
+                self.assertEqual(results.differences(whole, output), [])
+
+    def test_broken_solid(self):
+        kept = self.fails(self.case("strip_2d", outputs={}, loop__end_time=3, variables__pulled="-0.6*length",
+                                    materials__rubber=BrokenSolid.RUBBER),
+                          self.folder / "out", "have changed places")
+        self.assertGreater(kept.steps, 0)
+        gradient = kept.values("strip", "deformation_gradient").reshape(-1, 2, 2)
+        self.assertGreater(np.linalg.det(gradient).min(), 0)
+
+    def test_fields_that_the_failing_step_has_spoilt(self):
+        force = "{type: force.body_force, body: water, acceleration: ['sqrt(0.3 - t)', -1]}"
+        kept = self.fails(self.case("splash_2d", outputs={}), self.folder / "out", "is not finite",
+                          "--set", f"dynamics.gravity={force}")
+        self.assertGreater(kept.time, 0.2)
+        for field in ("position", "velocity", "density"):
+            self.assertTrue(np.isfinite(kept.values("water", field)).all(), field)
+
+    def test_first_step(self):
+        said = self.sphinx(self.case("splash_2d"), self.folder / "out", "--set", "loop.dt=5", "--set",
+                           "loop.steps=" + LOOP.replace("0.02", "5"), expect=3)
+        self.assertIn("the state of time 0 is kept", said)
+        self.assertEqual(last_restart(self.folder / "out").steps, 0)
+
+
 class BrokenSolid(Promise):
     """A strip that bursts or collapses, or whose ends move through each other."""
 

@@ -87,7 +87,7 @@ def check_readable(folder, after_kill=False):
             read_vtu(path)
         elif path.suffix == ".pvd":
             for entry in ElementTree.parse(path).findall("./Collection/DataSet"):
-                assert (folder / entry.get("file")).exists(), f"{path} names {entry.get('file')}"
+                assert (path.parent / entry.get("file")).exists(), f"{path} names {entry.get('file')}"
         elif path.suffix == ".vtkhdf":
             read_vtkhdf(path)
         elif path.suffix == ".h5":

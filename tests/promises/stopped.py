@@ -70,6 +70,8 @@ class Stopped(Promise):
             self.assertEqual(process.returncode, code, said)
             self.assertIn("stopped within the step from time 0, of which no end was in sight: " + why,
                           said)
+            self.assertIn("the state of time 0 is kept: --resume goes on from it", said)
+            self.assertEqual(last_restart(output).steps, 0)
 
     def test_ignored_signals_stay_so(self):
         # nohup ignores SIGHUP before it starts the program.

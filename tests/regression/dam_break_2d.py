@@ -23,6 +23,14 @@ ENERGY_RISE = 1e-3
 END_LIMIT = 0.45  # at t = 20, of the start; at rest it would be 0.3727
 
 
+def arrival(time, p):
+    """First time at which the pressure is above 0.1, and its mean over the next 0.1 as well: single drops are ahead."""
+    for start in time[p > 0.1]:
+        if p[(time >= start) & (time < start + 0.1)].mean() > 0.1:
+            return start
+    return np.nan
+
+
 def measure(end, *settings, case="case.yaml"):
     run = checks.Run(f"dam_break_2d/{case}", f"loop.end_time={end}", "outputs.fields.every={time: 1}",
                      *settings)
@@ -33,7 +41,7 @@ def measure(end, *settings, case="case.yaml"):
     return {
         "time": pressure["time"],
         "p": p,
-        "arrival": pressure["time"][np.argmax(p > 0.1)] if (p > 0.1).any() else np.nan,
+        "arrival": arrival(pressure["time"], p),
         "plateau": p[plateau].mean() if plateau.any() else np.nan,
         "rise": (total - np.minimum.accumulate(total)).max(),
         "end": total[-1],
@@ -70,7 +78,7 @@ def main():
     options = checks.arguments(study=study, plot=plot)
     report = checks.Report()
     found = measure(20 if options.long else 6)
-    report.check("pressure first above 0.1, at T", found["arrival"],
+    report.check("pressure above 0.1 from T", found["arrival"],
                  ARRIVAL - ARRIVAL_LIMIT, ARRIVAL + ARRIVAL_LIMIT)
     report.check("mean pressure of the plateau", found["plateau"],
                  PLATEAU * (1 - PLATEAU_LIMIT), PLATEAU * (1 + PLATEAU_LIMIT))
@@ -79,7 +87,7 @@ def main():
         report.check("energy at the end, of its start", found["end"], 0.3727, END_LIMIT)
     # The traditional loop at half the resolution: the same flow until the impact and after.
     single = measure(4, "variables.spacing=0.05", case="single_layer.yaml")
-    report.check("single layer: pressure first above 0.1, at T", single["arrival"],
+    report.check("single layer: pressure above 0.1 from T", single["arrival"],
                  ARRIVAL - SINGLE_LAYER_LIMIT, ARRIVAL + SINGLE_LAYER_LIMIT)
     report.check("single layer: rise of the energy", single["rise"], 0, ENERGY_RISE)
     report.end()

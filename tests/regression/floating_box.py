@@ -16,7 +16,7 @@ CASES = {dim: checks.REPOSITORY / "tests/regression/cases" / name
 GRAVITY = 9.81
 WEIGHT = {2: 500 * 0.4**2 * GRAVITY, 3: 500 * 0.3**3 * GRAVITY}
 ALL_ENERGY = {2: 1000 * GRAVITY * 1**2 * 2, 3: 1000 * GRAVITY * 0.6**2 * 0.9**2}  # rho g H^2 L (B) of the water
-RISE_LIMIT = 1e-4    # of that energy; measured 1e-5
+RISE_LIMIT = 1e-4    # of that energy; measured 4e-5
 KINETIC_LIMIT = 1.0  # of the box, J: 800 kg/m at 5 cm/s, 16 kg/m at 35 cm/s
 # Lightest and softest, lightest and stiff, the middle, heaviest and softest.
 SHORT = ((100, 1e5), (100, 1e7), (500, 1e7), (10000, 1e5))

@@ -42,6 +42,8 @@ def main():
     found = measure(0.02)
     report.check("rise of the level in spacings", found["rise"], -LEVEL_LIMIT, LEVEL_LIMIT)
     report.check("kinetic energy / (rho g H^2 L)", found["kinetic"], 0, NOISE_LIMIT)
+    forced = measure(0.02, "dynamics.gravity.type=force.body_force")
+    report.check("rise under a body force less that under gravity", forced["rise"] - found["rise"], 0, 0)
     # The pressure bounds the advection step, whatever speed the case expects: free_surface.md.
     found = measure(0.02, "dynamics.advection_dt.reference_speed=0.1*free_fall")
     report.check("low reference speed: rise of the level in spacings", found["rise"], -LEVEL_LIMIT, LEVEL_LIMIT)

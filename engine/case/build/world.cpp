@@ -173,6 +173,7 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
         check::checkParticles(model, *world, diagnostics);
         check::checkElastic(model, *world, diagnostics);
         check::checkWalls(model, *world, diagnostics);
+        check::checkStandingWalls(model, *world, diagnostics);
         check::checkWorldRules(model, *world, diagnostics);
     }
     if (placed) *placed = std::move(lattices);

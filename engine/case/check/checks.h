@@ -39,6 +39,12 @@ template <int Dim>
 void checkWalls(const model::Case& model, const bodies::World<Dim>& world,
                 input::Diagnostics& diagnostics);
 
+/// Reports rigid bodies with an initial velocity that nothing moves: it may be that of a surface
+/// that slides along itself, and else pushes fluids while the body stands still.
+template <int Dim>
+void checkStandingWalls(const model::Case& model, const bodies::World<Dim>& world,
+                        input::Diagnostics& diagnostics);
+
 /// Asks the rules that want the particles at the start (DeclaredMethod::worldRule, caseRule).
 template <int Dim>
 void checkWorldRules(const model::Case& model, const bodies::World<Dim>& world,

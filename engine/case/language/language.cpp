@@ -139,7 +139,10 @@ void declareBody(Registry& registry) {
         using P = model::Initial;
         auto& d = registry.declare<P>(Kind::block, "bodies.initial");
         d.summary("Values at the start, constants or expressions of x, y, z; otherwise zero");
-        d.optional("velocity", &P::velocity, fieldVector(unit::velocity), "velocity");
+        d.optional("velocity", &P::velocity, fieldVector(unit::velocity),
+                   "velocity; of a rigid body that nothing moves, which stands still: that of its "
+                   "surface, which slides along itself and drags fluids (a lid, a turning "
+                   "cylinder)");
         d.optional("pressure", &P::pressure, fieldExpression(unit::pressure),
                    "pressure of a fluid; density and mass follow from it");
     }

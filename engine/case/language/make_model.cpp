@@ -52,6 +52,8 @@ model::Body makeBody(const NamedBody& named, const Component* material, int dime
     body.material = block.material;
     body.resolution = block.resolution.value_or(model::BodyResolution{});
     body.initial = block.initial.value_or(model::Initial{});
+    for (const auto& [key, place] : named.given)
+        if (key == "initial") body.initial.place = place;
     body.follows = block.follows.value_or(model::Follows::space);
     for (const auto& [part, shape] : block.parts)
         body.parts.push_back({part.text, part.place, shape});

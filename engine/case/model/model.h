@@ -69,6 +69,7 @@ struct BodyResolution {
 struct Initial {
     std::optional<std::vector<FieldExpression>> velocity;
     std::optional<FieldExpression> pressure;  ///< fluids: density and mass follow from it
+    Place place;
 };
 
 struct Part {

@@ -6,6 +6,7 @@
 #include "core/errors.h"
 #include "core/log.h"
 #include "core/parallel.h"
+#include "core/sum_all.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -70,6 +71,19 @@ Extremes extremes(const bodies::Body<Dim>& body) {
         });
 }
 
+/// The largest speed about the mean velocity: what moves as a whole compresses nothing.
+template <int Dim>
+double speedAboutMean(const bodies::Body<Dim>& body) {
+    const auto& velocity = body.particles.vector(fields::velocity);
+    const auto& mass = body.particles.scalar(fields::mass);
+    const double whole = sumAll(body.size(), [&](std::size_t i) { return mass[i]; });
+    const Vec<Dim> momentum =
+        sumAll(body.size(), [&](std::size_t i) -> Vec<Dim> { return mass[i] * velocity[i]; });
+    const Vec<Dim> mean = momentum / whole;
+    return std::sqrt(maxAll(body.size(), 0.0,
+                            [&](std::size_t i) { return (velocity[i] - mean).squaredNorm(); }));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -116,16 +130,8 @@ void Health<Dim>::check(const Clock& clock) {
         if (!e.finite) fail(*body, clock);
         if (!body->isFluid()) continue;
         const materials::Fluid& fluid = *body->fluid().material;
-        const double speed = std::sqrt(e.speed2);
-        if (speed > speed_limit * fluid.soundSpeed() && !warned_speed_[body->name]) {
-            warned_speed_[body->name] = true;
-            log::warning(fmt::format(
-                "time {}: {} moves at {:.3g}{}, more than a tenth of its sound speed {:.3g}{}; "
-                "raise sound_speed",
-                world_.quantityText(clock.time, unit::time), body->name, speed,
-                world_.units.suffix(unit::velocity), fluid.soundSpeed(),
-                world_.units.suffix(unit::velocity)));
-        }
+        if (std::sqrt(e.speed2) > speed_limit * fluid.soundSpeed() && !warned_speed_[body->name])
+            checkSpeed(*body, clock);
         const double rho0 = fluid.density();
         if (e.density > density_limit * rho0 && !warned_density_[body->name]) {
             warned_density_[body->name] = true;
@@ -136,6 +142,19 @@ void Health<Dim>::check(const Clock& clock) {
     }
     for (auto& order : orders_) order.check(clock);
     if (clock.steps % steps_between_places == 0) remember();
+}
+
+template <int Dim>
+void Health<Dim>::checkSpeed(const bodies::Body<Dim>& body, const Clock& clock) {
+    const double sound = body.fluid().material->soundSpeed();
+    const double speed = speedAboutMean(body);
+    if (!(speed > speed_limit * sound)) return;
+    warned_speed_[body.name] = true;
+    log::warning(fmt::format(
+        "time {}: {} moves at {:.3g}{} about its mean velocity, more than a "
+        "tenth of its sound speed {:.3g}{}; raise sound_speed",
+        world_.quantityText(clock.time, unit::time), body.name, speed,
+        world_.units.suffix(unit::velocity), sound, world_.units.suffix(unit::velocity)));
 }
 
 template <int Dim>

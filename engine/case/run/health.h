@@ -33,6 +33,7 @@ class Health {
     };
 
     void remember();
+    void checkSpeed(const bodies::Body<Dim>& body, const Clock& clock);
     /// Ids of the particles whose value of the field is not finite.
     static std::vector<std::int64_t> spoilt(const bodies::Body<Dim>& body,
                                             const particles::FieldInfo& info);

@@ -64,10 +64,12 @@ class Run {
         } catch (const StoppedWithinStep& stopped) {
             log::info(
                 fmt::format("stopped within the step from time {}, of which no end was in "
-                            "sight: {}; restarts stay as they are",
+                            "sight: {}",
                             timeText(), stopped.why));
+            keepLastGoodState();
         } catch (const PhysicsError&) {
             writeFailedState();
+            keepLastGoodState();
             // A number that is none any more is the reason, whoever stumbled over it first.
             simulation_.checkHealth();
             throw;
@@ -144,7 +146,17 @@ class Run {
             log::info(fmt::format("{}: {} particles", body->name, body->size()));
     }
 
-    /// For inspection; the last good restart stays as it is.
+    void keepLastGoodState() {
+        try {
+            if (const auto time = simulation_.keepLastGoodState())
+                log::info(fmt::format("the state of time {} is kept: --resume goes on from it",
+                                      world().quantityText(*time, unit::time)));
+        } catch (const FileError& e) {
+            log::warning(fmt::format("the last good state is not kept: {}", e.what()));
+        }
+    }
+
+    /// For inspection: not the state to go on from.
     void writeFailedState() {
         if (!options_.outputs) return;
         const io::Path folder = folder_ / "failed";

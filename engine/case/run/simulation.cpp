@@ -49,6 +49,14 @@ void Simulation<Dim>::prepare() {
     if (resuming()) restore();
     methods_->prepare();
     health_.emplace(*world_, *relations_, placed_.facts);
+    if (options_.outputs)
+        held_.emplace(folder_ / "restart", tools.restart_header, tools.restart_bodies, tools.state);
+}
+
+template <int Dim>
+void Simulation<Dim>::begin() {
+    runner_->begin();
+    if (held_) held_->hold(clock());
 }
 
 template <int Dim>
@@ -57,6 +65,15 @@ void Simulation<Dim>::step() {
         health_->check(clock);
         before_outputs_();
     });
+    if (held_) held_->hold(clock());
+}
+
+template <int Dim>
+std::optional<double> Simulation<Dim>::keepLastGoodState() {
+    if (!held_) return {};
+    before_outputs_();
+    runner_->syncOutputs();
+    return held_->write();
 }
 
 template <int Dim>

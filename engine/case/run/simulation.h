@@ -9,6 +9,7 @@
 #include "case/run/health.h"
 #include "case/run/options.h"
 #include "case/run/restart_source.h"
+#include "io/restart/held.h"
 #include "loop/run/runner.h"
 
 #include <functional>
@@ -37,7 +38,7 @@ class Simulation {
     /// Makes the outputs, still without writing, and reads the restart to go on from.
     void prepare();
     /// The calls of `start` and the first outputs; after a restart outputs go on.
-    void begin() { runner_->begin(); }
+    void begin();
     /// One outermost step, the check of its state, the outputs that are due.
     void step();
     /// The end time is reached.
@@ -49,6 +50,9 @@ class Simulation {
     void watchOutputs(std::function<void()> watch) { before_outputs_ = std::move(watch); }
     /// The last outputs; of a run that is not finished its restarts only.
     void end() { runner_->end(); }
+    /// After a step that failed or was ended in its midst: leaves a restart of the state of some
+    /// steps before, where there is none as late. The time of the newest one; nothing without one.
+    std::optional<double> keepLastGoodState();
 
     bool resuming() const { return options_.resume || !options_.restart.empty(); }
     const RestartSource& source() const { return source_; }  ///< when resuming
@@ -80,6 +84,7 @@ class Simulation {
     std::optional<build::Outputs<Dim>> outputs_;
     std::unique_ptr<loop::Runner> runner_;
     std::optional<Health<Dim>> health_;
+    std::optional<io::HeldRestart<Dim>> held_;  // with outputs
     std::function<void()> before_outputs_ = [] {};
 };
 

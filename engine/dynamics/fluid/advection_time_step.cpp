@@ -11,11 +11,13 @@
 namespace sphinx::dynamics::fluid {
 namespace {
 
-/// Advection criterion, guide (52): CFL min(h / max(abs(v)_max, v_ref), h^2 / nu), with v_ref at
-/// least the speed sqrt(2 abs(p)_max/rho0) to which the pressure could drive the fluid. Between two
-/// advection steps the gradients of the kernel stay as they are: what a displacement under pressure
-/// changes of the force acts late, like a spring with a lag, and feeds noise at a rate that grows
-/// with p and with the step. free_surface.md has a tank.
+/// Advection criterion, guide (52): CFL min(h / max(abs(v)_max, v_ref), h^2 / nu).
+/// - v_ref is at least the speed sqrt(2 abs(p)_max/rho0) to which the pressure could drive the
+///   fluid. Between two advection steps the gradients of the kernel stay as they are: what a
+///   displacement under pressure changes of the force acts late, like a spring with a lag, and
+///   feeds noise at a rate that grows with p and with the step. free_surface.md has a tank.
+/// - It is no more than 2 / lambda, beyond which the viscous force swings up whatever the factor.
+///   lambda is the largest rate at which it changes velocities (viscous_bound.h).
 struct AdvectionTimeStepParameters {
     input::Name body;
     double reference_speed = 0;  ///< velocity; keeps the step finite while the fluid is at rest
@@ -42,13 +44,20 @@ void declareAdvectionTimeStep(input::Registry& registry) {
                              2 * largestPressure(body) / body.fluid().material->density());
                 const double h = body.kernel.smoothingLength();
                 const double step = h / std::max(std::sqrt(speed2), p.reference_speed);
-                return cfl * (nu > 0 ? std::min(step, h * h / nu) : step);
+                if (nu == 0) return cfl * step;
+                const double rate = body.fluid().viscous.rate(fluid.density());
+                return std::min(cfl * std::min(step, h * h / nu), rate > 0 ? 2 / rate : step);
             };
         });
     d.summary("Time step by advection and viscosity");
     d.formula(
         "guide (52): cfl min(h / max(abs(v)_max, sqrt(2 abs(p)_max/rho0), reference_speed), h^2 / "
-        "nu)");
+        "nu); at most 2 / lambda, the largest rate at which the viscous force changes a velocity "
+        "on "
+        "a lattice: about mu/rho times twice the sum of its weights, those of walls with 1/rho_s "
+        "in "
+        "place of 1/rho for the lightest elastic body that fsi.viscous_force pushes, where it is "
+        "lighter than the fluid");
     d.cite("guide", "(52)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.required("reference_speed", &P::reference_speed, input::number(unit::velocity).above(0),

@@ -14,7 +14,7 @@ namespace sphinx::dynamics::fluid {
 namespace {
 
 /// tau c0, in spacings.
-constexpr double relaxation_length = 150;
+constexpr double relaxation_length = 250;
 
 template <int Dim>
 class DensitySummation final : public Method {
@@ -137,7 +137,7 @@ void declareDensitySummation(input::Registry& registry) {
     auto& d = declareMethod<DensitySummation, P>(registry, "fluid.density_summation");
     d.summary("Density from the sum of the kernel over the neighbors");
     d.formula(
-        "free: rho += (1 - exp(-dt/tau)) (m/V0 S/S0 - rho), tau = 150 spacing/c0, where no surface "
+        "free: rho += (1 - exp(-dt/tau)) (m/V0 S/S0 - rho), tau = 250 spacing/c0, where no surface "
         "cuts off a part of S, else guide (54): max(rho, m/V0 S/S0), and no tension without "
         "support or at solids; (55) confined: rho(start) S/S0");
     d.cite("guide", "(54), (55)").cite("Zhang, Hu & Adams 2017");

@@ -24,11 +24,11 @@ enum class Surface { free, confined };
 /// of the density and the sum puts it back in each step; that feeds motion, and the kinetic energy
 /// of water at rest is five times that with tau.
 ///
-/// tau = 150 dp/c0, dp the spacing. The Riemann problems spread density with D = c0 <r>
-/// (Dim+1)/2Dim, <r> the mean distance under the kernel: D = 0.65 c0 dp in 2D, 0.73 in 3D. sqrt(D
-/// tau) is ten spacings, the least that is resolved: below, the density is theirs, and of the noise
-/// of the sum 1/260 gets into it. Above it is the sum's, since they have nothing to hold a level
-/// by.
+/// tau = 250 dp/c0, dp the spacing. The Riemann problems spread density with D = c0 <r>
+/// (Dim+1)/2Dim, <r> the mean distance under the kernel: D = 0.65 c0 dp in 2D, 0.73 in 3D. Up to
+/// sqrt(D tau), 13 spacings, the density is theirs, and of the noise of the sum 1/440 gets into it.
+/// Above it is the sum's, since they have nothing to hold a level by. How wide the range of tau is,
+/// and what bounds it: free_surface.md.
 ///
 /// Tension: without support, and at solids, a fluid with a free surface is slack (fields::slack):
 /// its density may sink below rho0, but no pressure and no volume follow (PressureRelaxation). What

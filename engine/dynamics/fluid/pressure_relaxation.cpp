@@ -6,6 +6,7 @@
 #error "compile this file with -ffp-contract=fast and SPHINX_FUSED"
 #endif
 
+#include "core/number.h"
 #include "core/sum_all.h"
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/solid_load.h"
@@ -27,10 +28,12 @@ namespace {
 /// with p* and v* of the Riemann problem (riemann.h). Each sum runs once a step, and a solid loaded
 /// between the halves feels the pressure that the fluid felt.
 ///
-/// In gravity the pressures in U* are those above the hydrostatic one, p - rho0 g . r: a fluid at
-/// rest is left at rest (Fourtakas et al. 2019, doi:10.1016/j.compfluid.2019.06.009, for the
-/// equivalent density diffusion). With p itself the solver takes the weight of the fluid for a
-/// jump: the pressure of water at rest is then too high by that of half a spacing at the surface.
+/// The pressures in U* are those above the hydrostatic one, p - rho0 g . r: a fluid at rest is left
+/// at rest (Fourtakas et al. 2019, doi:10.1016/j.compfluid.2019.06.009, for the equivalent density
+/// diffusion). With p itself the solver takes the weight of the fluid for a jump: the pressure of
+/// water at rest is then too high by that of half a spacing at the surface. g is what weighs in the
+/// frame of the walls, so that a tank that is shaken does what it does under a force the other way:
+/// the mean external acceleration of the fluid less that of all rigid walls which it sees.
 /// (That it is not 1.5 % too high everywhere: Kernel::gradientFactor.)
 ///
 /// Solid neighbors are walls of dummy particles, one-sided Riemann problem along the wall's normal
@@ -42,6 +45,28 @@ namespace {
 struct PressureRelaxationParameters {
     input::Name body;
     Riemann riemann = Riemann::low_dissipation;
+};
+
+/// Mean of a vector over the particles of bodies, zero where there are none.
+template <int Dim>
+class Mean {
+ public:
+    void add(const Field<Vec<Dim>>& field, std::size_t n) {
+        using Terms = std::array<double, Dim + 1>;
+        const Terms sum = sumAll(n, [&](std::size_t i) {
+            Terms terms;
+            for (int c = 0; c < Dim; ++c) terms[c] = field[i][c];
+            terms[Dim] = 1;
+            return terms;
+        });
+        for (int c = 0; c < Dim; ++c) sum_[c] += sum[c];
+        count_ += sum[Dim];
+    }
+    Vec<Dim> value() const { return count_ > 0 ? Vec<Dim>(sum_ / count_) : sum_; }
+
+ private:
+    Vec<Dim> sum_ = Vec<Dim>::Zero();
+    double count_ = 0;
 };
 
 template <int Dim>
@@ -67,6 +92,8 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     using SolidLoad<Dim>::body_;
 
     void predict(double dt);
+    /// The mean weight of the fluid in the frame of its walls.
+    void findWeight();
     /// Gives back what elastic solids have lost by the impedance of the fluid (Radiation).
     void addSlipImpulses();
     /// That impulse on particle i from one of them.
@@ -88,6 +115,9 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     double largest_rate_;
     double largest_impedance_;
     double last_dt_ = 0;  // of the last slips
+    // Per volume, found in the first step of each interval: no state of a restart.
+    Vec<Dim> weight_ = Vec<Dim>::Zero();
+    double interval_start_ = nan_value;
     Surroundings<Dim> around_;
 
     Field<Vec<Dim>>& position_;
@@ -137,6 +167,10 @@ void PressureRelaxation<Dim>::firstHalf(const Clock& clock) {
     const double dt = clock.dt;
     before_.resize(body_->held());
     after_.resize(body_->held());
+    if (clock.interval_start != interval_start_) {
+        interval_start_ = clock.interval_start;
+        findWeight();
+    }
     predict(dt);
     withRiemann(riemann_, [&]<Riemann R>() { momentum<R>(dt); });
     ++body_->version;
@@ -180,15 +214,22 @@ void PressureRelaxation<Dim>::predict(double dt) {
 }
 
 template <int Dim>
+void PressureRelaxation<Dim>::findWeight() {
+    Mean<Dim> external, walls;
+    external.add(external_, body_->size());
+    for (const auto& wall : around_.walls())
+        if (wall.fields.acceleration) walls.add(*wall.fields.acceleration, wall.body->size());
+    weight_ = constants_.rho0 * (external.value() - walls.value());
+    // Along a periodic axis there is no hydrostatic pressure.
+    for (int c = 0; c < Dim; ++c)
+        if (domain_->periodic[c]) weight_[c] = 0;
+}
+
+template <int Dim>
 template <Riemann R>
 void PressureRelaxation<Dim>::momentum(double dt) {
     const NeighborList<Dim>& self = around_.own();
     const PairState<Dim>* state = before_.data();
-    // Along a periodic axis there is no hydrostatic pressure.
-    Vec<Dim> gravity = body_->fluid().gravity;
-    for (int c = 0; c < Dim; ++c)
-        if (domain_->periodic[c]) gravity[c] = 0;
-    const Vec<Dim> weight = constants_.rho0 * gravity;
     const double unit = self.gradient_unit;
     const SumGrid grid(largest_force_ / unit);
     parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
@@ -215,7 +256,7 @@ void PressureRelaxation<Dim>::momentum(double dt) {
                 velocity_[i][c] = vc;
                 next.v[c] = vc;
             }
-            next.p = si.p - weight.dot(position_[i]);
+            next.p = si.p - dot<Dim>(weight_.data(), position_[i].data());
             next.V = si.V;
         }
     });

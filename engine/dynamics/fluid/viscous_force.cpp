@@ -6,6 +6,7 @@
 #include "core/sum_all.h"
 #include "dynamics/fluid/solid_load.h"
 #include "dynamics/fluid/surroundings.h"
+#include "dynamics/fluid/viscous_bound.h"
 #include "dynamics/methods.h"
 #include "dynamics/pair_loop.h"
 #include "materials/fluid.h"
@@ -76,6 +77,7 @@ class ViscousForce final : public SolidLoad<Dim> {
  public:
     ViscousForce(Context<Dim>& context, const ViscousForceParameters& p);
 
+    void announce() override;
     void run(const Clock& clock);
     Load<Dim> loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
                      const Vec<Dim>& about) const override;
@@ -124,6 +126,16 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, const ViscousForceParamet
       external_(body_->particles.vector(fields::external_acceleration)),
       mass_(body_->particles.scalar(fields::mass)),
       volume_(body_->particles.scalar(fields::volume)) {}
+
+template <int Dim>
+void ViscousForce<Dim>::announce() {
+    std::vector<const Body<Dim>*> walls;
+    for (const auto& wall : around_.walls()) walls.push_back(wall.body);
+    const ViscousBound bound = viscousBound<Dim>(*body_, form_, walls);
+    const double mu = body_->fluid().material->viscosity();
+    body_->fluid().viscous.whole += mu * bound.whole;
+    body_->fluid().viscous.walls += mu * bound.walls;
+}
 
 template <int Dim>
 void ViscousForce<Dim>::run(const Clock& clock) {

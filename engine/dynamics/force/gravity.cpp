@@ -10,8 +10,8 @@
 namespace sphinx::dynamics::force {
 namespace {
 
-/// Uniform gravity. The body knows it from the start: the potential energy and the pressure step
-/// of a resting fluid use it, so it acts throughout.
+/// Uniform gravity. The body knows it from the start: the potential energy uses it, so it acts
+/// throughout.
 struct GravityParameters {
     input::Name body;
     input::Coordinates acceleration;
@@ -81,8 +81,7 @@ void declareGravity(input::Registry& registry) {
     d.action()
         .accumulates("body", {"external_acceleration"})
         .throughout(
-            "the pressure of a fluid at rest and the potential energy count on it at all times; "
-            "force.body_force can act at times");
+            "the potential energy counts on it at all times; force.body_force can act at times");
 }
 
 }  // namespace sphinx::dynamics::force

@@ -5,6 +5,8 @@
 #include "dynamics/declare.h"
 #include "dynamics/fluid/solid_load.h"
 
+#include <algorithm>
+
 namespace sphinx::dynamics::fsi {
 
 struct FluidForceParameters {
@@ -27,6 +29,12 @@ class FluidForce final : public Method {
               kind == fluid::LoadKind::pressure ? fields::pressure_force : fields::viscous_force)) {
         if (kind == fluid::LoadKind::pressure)
             impedance_ = &solid_->particles.matrix(fields::radiation_impedance);
+    }
+    /// Light bodies answer viscous forces faster than the fluid itself.
+    void announce() override {
+        if (kind != fluid::LoadKind::viscous) return;
+        double& lightest = fluid_->fluid().viscous.lightest_solid;
+        lightest = std::min(lightest, solid_->material()->density());
     }
     void run(const Clock&) {
         const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind);

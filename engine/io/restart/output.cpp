@@ -24,9 +24,8 @@ void RestartOutput<Dim>::write(const Clock& clock) {
     RestartHeader& header = parameters_.header;
     header.time = clock.time;
     header.steps = clock.steps;
-    const Path path =
-        parameters_.folder / (header.case_name + "_" + std::to_string(clock.steps) + ".xml");
-    writeRestart(path, header, state_, bodies_, parameters_.encoding);
+    writeRestart(parameters_.folder / restartName(header), header, state_, bodies_,
+                 parameters_.encoding);
     std::vector<Path> written = existing();
     for (std::size_t k = static_cast<std::size_t>(parameters_.keep); k < written.size(); ++k)
         removeFile(written[k]);

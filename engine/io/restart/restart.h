@@ -53,6 +53,15 @@ using StateTransfer = std::function<void(Archive&)>;
 template <int Dim>
 void writeRestart(const Path& path, const RestartHeader& header, const StateTransfer& state,
                   const std::vector<RestartBody<Dim>>& bodies, RestartEncoding encoding);
+/// The same with a state that was taken before.
+template <int Dim>
+void writeRestart(const Path& path, const RestartHeader& header, const std::string& state_text,
+                  const std::vector<RestartBody<Dim>>& bodies, RestartEncoding encoding);
+
+/// What a restart says of the state.
+std::string stateText(const StateTransfer& state);
+/// NAME_STEPS.xml
+std::string restartName(const RestartHeader& header);
 
 /// Throws FileError with one line that says why, unless the file is exactly as it was written.
 void verifyRestart(const Path& path);

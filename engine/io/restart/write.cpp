@@ -82,12 +82,25 @@ std::string restartEnd(std::uint32_t checksum) {
     return "<checksum crc32=\"" + hexText(checksum) + "\"/>\n</restart>\n";
 }
 
+std::string stateText(const StateTransfer& state) {
+    XmlSaveArchive archive;
+    state(archive);
+    return archive.xml();
+}
+
+std::string restartName(const RestartHeader& header) {
+    return header.case_name + "_" + std::to_string(header.steps) + ".xml";
+}
+
 template <int Dim>
 void writeRestart(const Path& path, const RestartHeader& header, const StateTransfer& state,
                   const std::vector<RestartBody<Dim>>& bodies, RestartEncoding encoding) {
-    XmlSaveArchive archive;
-    state(archive);
+    writeRestart(path, header, stateText(state), bodies, encoding);
+}
 
+template <int Dim>
+void writeRestart(const Path& path, const RestartHeader& header, const std::string& state_text,
+                  const std::vector<RestartBody<Dim>>& bodies, RestartEncoding encoding) {
     Stream stream(path);
     stream.write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<restart" +
                  attribute("format", std::to_string(restart_format)) +
@@ -102,7 +115,7 @@ void writeRestart(const Path& path, const RestartHeader& header, const StateTran
     text += "\"" + attribute("steps", std::to_string(header.steps)) + ">\n";
     appendTextElement(text, "case_text", "", header.case_text);
     stream.write(text);
-    stream.write("<state>\n" + archive.xml() + "</state>\n");
+    stream.write("<state>\n" + state_text + "</state>\n");
     for (const RestartBody<Dim>& entry : bodies) {
         const particles::ParticleSet<Dim>& particles = entry.body->particles;
         const particles::IdOrder order(particles);
@@ -124,6 +137,10 @@ void writeRestart(const Path& path, const RestartHeader& header, const StateTran
 template void writeRestart(const Path&, const RestartHeader&, const StateTransfer&,
                            const std::vector<RestartBody<2>>&, RestartEncoding);
 template void writeRestart(const Path&, const RestartHeader&, const StateTransfer&,
+                           const std::vector<RestartBody<3>>&, RestartEncoding);
+template void writeRestart(const Path&, const RestartHeader&, const std::string&,
+                           const std::vector<RestartBody<2>>&, RestartEncoding);
+template void writeRestart(const Path&, const RestartHeader&, const std::string&,
                            const std::vector<RestartBody<3>>&, RestartEncoding);
 
 }  // namespace sphinx::io

@@ -83,6 +83,10 @@ void OutputSchedule::writeRestarts() {
     write(due);
 }
 
+void OutputSchedule::sync() {
+    for (EntryRun& run : entries_) run.entry.output->sync();
+}
+
 bool OutputSchedule::restartDue(const std::vector<bool>& due) const {
     for (std::size_t k = 0; k < entries_.size(); ++k)
         if (due[k] && entries_[k].entry.restart) return true;
@@ -92,8 +96,7 @@ bool OutputSchedule::restartDue(const std::vector<bool>& due) const {
 void OutputSchedule::write(const std::vector<bool>& due) {
     const Clock& clock = outermost_.clock();
     for (const bool restart : {false, true}) {
-        if (restart && restartDue(due))
-            for (EntryRun& run : entries_) run.entry.output->sync();
+        if (restart && restartDue(due)) sync();
         for (std::size_t k = 0; k < entries_.size(); ++k) {
             EntryRun& run = entries_[k];
             if (!due[k] || run.entry.restart != restart || run.last_step == clock.steps) continue;

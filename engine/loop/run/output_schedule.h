@@ -36,6 +36,8 @@ class OutputSchedule {
     /// A run that is stopped early writes its restarts only: any other frame would be missing in
     /// an uninterrupted run.
     void writeRestarts();
+    /// What is written is on the disk.
+    void sync();
 
     /// Tells every output that the run goes on from the present clock.
     void resume();

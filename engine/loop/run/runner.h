@@ -33,6 +33,8 @@ class Runner {
     bool finished() const;
     /// Last outputs; of a run that is not finished its restarts only.
     void end();
+    /// OutputSchedule::sync
+    void syncOutputs() { outputs_.sync(); }
 
     /// Clocks, triggers and outputs' own states. The state of methods and the particle fields are
     /// the caller's.

@@ -18,7 +18,7 @@ constexpr double rho0 = test::density;
 constexpr double rounding = 1e-11;
 /// Of a step, and what it leaves of a difference from the sum.
 constexpr double dt = 0.1;
-const double left = std::exp(-dt * sound_speed / (150 * spacing));
+const double left = std::exp(-dt * sound_speed / (250 * spacing));
 
 /// A block of water, 12 spacings wide and high, on y = 0.
 template <int Dim>
