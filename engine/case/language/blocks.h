@@ -5,6 +5,7 @@
 // The blocks of a case as they are written, before they become a model.
 
 #include "case/language/shapes.h"
+#include "case/language/tables.h"
 #include "case/model/model.h"
 #include "input/declaration/registry.h"
 
@@ -68,6 +69,7 @@ struct CaseBlock {
     std::optional<input::UnitSystem> units = input::UnitSystem{};  ///< empty: none
     std::vector<std::string> include;  ///< already merged when the block is read
     input::Node variables;             ///< once read: those that the resolved case needs
+    std::vector<NamedTable> tables;    ///< likewise
     model::Resolution resolution;
     model::Domain domain;
     std::vector<NamedShape> geometry;

@@ -286,6 +286,8 @@ void declareCase(Registry& registry) {
     d.optional("include", &P::include, list(text()),
                "files whose maps are merged into this one, which wins");
     d.optional("variables", &P::variables, variables(), "numbers for expressions");
+    d.optional("tables", &P::tables, namedTables(block("tables")),
+               "functions of one argument for expressions");
     d.required("resolution", &P::resolution, structure<model::Resolution>(block("resolution")),
                "spacing and kernel");
     d.optional("domain", &P::domain, structure<model::Domain>(block("domain")), "bounds");
@@ -306,6 +308,7 @@ void registerCaseLanguage(Registry& registry) {
     registerShapes(registry);
     declareUnits(registry);
     declareVariables(registry);
+    declareTables(registry);
     declareResolution(registry);
     declareDomain(registry);
     declareBody(registry);

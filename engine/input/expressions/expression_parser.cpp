@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <numbers>
 
 namespace sphinx::input {
@@ -180,12 +181,25 @@ std::string expressionHelp() {
 }
 
 struct ExpressionParser::Implementation {
+    /// What muParser hands to the function of a table.
+    struct TableCall {
+        UsedTable used;
+        const Implementation* in;
+    };
+    static double call(void* data, double argument) {
+        const auto& [used, in] = *static_cast<const TableCall*>(data);
+        if (in->compiling) return 0;
+        return used.of_time && argument == in->t ? used.table->continued(argument)
+                                                 : (*used.table)(argument);
+    }
+
     mu::Parser parser;
     double x = 0, y = 0, z = 0, t = 0;
+    bool compiling = true;  // muParser compiles by evaluating somewhere
+    std::deque<TableCall> calls;
 };
 
-ExpressionParser::ExpressionParser(const std::string& text,
-                                   const std::map<std::string, double>& constants)
+ExpressionParser::ExpressionParser(const ExpressionParts& parts)
     : implementation_(std::make_unique<Implementation>()) {
     mu::Parser& parser = implementation_->parser;
     try {
@@ -197,17 +211,22 @@ ExpressionParser::ExpressionParser(const std::string& text,
         parser.DefineFun("max", largest);
         parser.DefineConst("pi", std::numbers::pi);
         parser.DefineConst("e", std::numbers::e);
-        for (const auto& [name, value] : constants) parser.DefineConst(name, value);
+        for (const auto& [name, value] : parts.constants) parser.DefineConst(name, value);
+        for (const auto& [name, used] : parts.tables) {
+            auto& call = implementation_->calls.emplace_back(used, implementation_.get());
+            parser.DefineFunUserData(name, &Implementation::call, &call);
+        }
         parser.DefineVar("x", &implementation_->x);
         parser.DefineVar("y", &implementation_->y);
         parser.DefineVar("z", &implementation_->z);
         parser.DefineVar("t", &implementation_->t);
         parser.EnableOptimizer(false);  // it would change the order of operations, and so the bits
-        parser.SetExpr(text);
+        parser.SetExpr(parts.text);
         parser.Eval();
     } catch (const mu::Parser::exception_type& e) {
-        throw ExpressionError{std::min<std::size_t>(e.GetPos(), text.size()), explain(e)};
+        throw ExpressionError{std::min<std::size_t>(e.GetPos(), parts.text.size()), explain(e)};
     }
+    implementation_->compiling = false;
 }
 
 ExpressionParser::~ExpressionParser() = default;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "input/expressions/expression.h"
+#include "input/expressions/tabulated_function.h"
 
 #include <cstdint>
 #include <map>
@@ -14,11 +15,25 @@
 
 namespace sphinx::input {
 
+/// A table that an expression uses.
+struct UsedTable {
+    TablePointer table;
+    /// It is asked for the time, and whoever reads the case knows by then that it reaches from the
+    /// start to the end of the run: beyond, in the last step, its last piece goes on.
+    bool of_time = false;
+};
+
+/// A text with the meaning of its names.
+struct ExpressionParts {
+    std::string text;
+    std::map<std::string, double> constants;  ///< variables of the case that it uses
+    std::map<std::string, UsedTable> tables;
+};
+
 /// What a FieldExpression shares between its copies.
 struct FieldExpression::Compiled {
     std::uint64_t id;  ///< never used again within the program
-    std::string text;
-    std::map<std::string, double> constants;  ///< variables of the case that it uses
+    ExpressionParts parts;
     bool uses_time;
     bool uses_place;
 };
@@ -51,8 +66,9 @@ std::string expressionHelp();
 class ExpressionParser {
  public:
     /// Throws ExpressionError.
-    ExpressionParser(const std::string& text, const std::map<std::string, double>& constants);
+    explicit ExpressionParser(const ExpressionParts& parts);
     ~ExpressionParser();
+    /// Throws OutsideTable.
     double evaluate(double x, double y, double z, double t);
 
  private:
