@@ -43,12 +43,16 @@ class Tables(Promise):
     def test_resolved_case_runs_the_same(self):
         table = {"rows": [["0 ms", 0], ["500 ms", "speed/2"], ["1 s", 0]], "interpolation": "cubic"}
         units = {"length": "m", "time": "s", "mass": "kg"}
-        case = self.tank(0.1, "along(t)", units=units, tables={"along": table, "unused": table},
-                         variables=load_case("tank_2d")["variables"] | {"speed": SPEED, "span": "along(0.5)"})
+        variables = {"speed": SPEED, "span": "along(0.5)", "later": "along(t) + sway*t^2", "sway": "x*0",
+                     "idle": "2*t"}
+        case = self.tank(0.1, "later*span/span", units=units, tables={"along": table, "unused": table},
+                         variables=load_case("tank_2d")["variables"] | variables)
         path = self.write_case("written", case)
         self.sphinx(path, self.folder / "written")
         shown = subprocess.run([SPHINX, "show", str(path)], capture_output=True, text=True, check=True).stdout
         self.assertNotIn("unused", shown)
+        self.assertNotIn("idle", shown)
+        self.assertIn("later: along(t) + sway*t^2", shown)
         resolved = self.folder / "resolved.yaml"
         resolved.write_text(shown)
         self.sphinx(resolved, self.folder / "resolved")

@@ -32,7 +32,10 @@ void registerKernels(Registry& registry) {
 void declareVariables(Registry& registry) {
     struct NoParameters {};
     auto& d = registry.declare<NoParameters>(Kind::block, "variables");
-    d.summary("Names for numbers, quantities (number, blank, unit) and expressions, in any order");
+    d.summary(
+        "Names for numbers, quantities (number, blank, unit) and expressions, in any order; one "
+        "that "
+        "depends on x, y, z or t may stand where they may");
     d.formula(expressionHelp());
 }
 

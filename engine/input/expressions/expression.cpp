@@ -30,9 +30,13 @@ double FieldExpression::evaluate(double x, double y, double z, double t, int dim
     }
 }
 
-bool FieldExpression::dependsOnTime() const { return compiled_ && compiled_->uses_time; }
+bool FieldExpression::dependsOnTime() const {
+    return compiled_ && compiled_->parts.fields.contains('t');
+}
 
-bool FieldExpression::dependsOnPlace() const { return compiled_ && compiled_->uses_place; }
+bool FieldExpression::dependsOnPlace() const {
+    return compiled_ && (compiled_->parts.fields.size() > 1 || !dependsOnTime());
+}
 
 std::string FieldExpression::text() const {
     return compiled_ ? compiled_->parts.text : fmt::format("{}", constant_);

@@ -5,6 +5,7 @@
 #include "input/expressions/scope_evaluation.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sphinx::input {
 namespace {
@@ -56,7 +57,9 @@ TablePointer Scope::table(const std::string& name, const Place& user, Diagnostic
     return table.function;
 }
 
-void Scope::define(const Node& variables, const UnitSystem& units, Diagnostics& diagnostics) {
+void Scope::define(const Node& variables, const UnitSystem& units, Diagnostics& diagnostics,
+                   int case_dimension) {
+    case_dimension_ = case_dimension;
     for (const Node::Entry& entry : variables.entries) {
         if (isReserved(entry, diagnostics)) continue;
         if (hasTable(entry.key)) {
@@ -96,22 +99,22 @@ bool Scope::canBegin(const std::string& name, State state, const Place& user,
     return true;
 }
 
-std::optional<double> Scope::resolve(const std::string& name, const Place& user,
-                                     const UnitSystem& units, Diagnostics& diagnostics,
-                                     bool counts_as_use) {
+const FieldExpression* Scope::resolve(const std::string& name, const Place& user,
+                                      const UnitSystem& units, Diagnostics& diagnostics,
+                                      bool counts_as_use) {
     Variable& variable = variables_.find(name)->second;
     variable.used = variable.used || counts_as_use;
-    if (variable.state == State::done) return variable.value;
-    if (!canBegin(name, variable.state, user, diagnostics)) return std::nullopt;
+    if (variable.state == State::done) return &variable.value;
+    if (!canBegin(name, variable.state, user, diagnostics)) return nullptr;
     variable.state = State::busy;
     stack_.push_back(name);
-    Evaluation evaluation{*this, std::nullopt, name, units, diagnostics};
+    Evaluation evaluation{*this, std::nullopt, name, units, diagnostics, true, case_dimension_};
     const auto value = evaluation.evaluate(*variable.node);
     stack_.pop_back();
     variable.state = value ? State::done : State::failed;
-    if (value) variable.value = value->value();
+    if (value) variable.value = *value;
     variable.dimension = evaluation.known;
-    return value ? std::optional(variable.value) : std::nullopt;
+    return value ? &variable.value : nullptr;
 }
 
 std::optional<double> Scope::number(const Node& node, Dimension dimension, const std::string& label,
@@ -123,8 +126,28 @@ std::optional<double> Scope::number(const Node& node, Dimension dimension, const
 std::optional<FieldExpression> Scope::field(const Node& node, Dimension dimension,
                                             const std::string& label, const UnitSystem& units,
                                             int case_dimension, Diagnostics& diagnostics) {
-    return Evaluation{*this, dimension, label, units, diagnostics, true, case_dimension}.evaluate(
-        node);
+    const auto field =
+        Evaluation{*this, dimension, label, units, diagnostics, true, case_dimension}.evaluate(
+            node);
+    if (field && !field->constant())
+        markUsed(field->compiled_->parts, field->compiled_->parts.conditional);
+    return field;
+}
+
+void Scope::markUsed(const ExpressionParts& parts, bool conditional) {
+    for (const auto& [name, value] : parts.constants)
+        variables_.find(name)->second.used_by_field = true;
+    for (const auto& [name, used] : parts.tables) {
+        tables_.find(name)->second.used_by_field = true;
+        if (!conditional)
+            for (const Place& place : used.of_time) timed_calls_.push_back({used.table, place});
+    }
+    for (const auto& [name, variable] : parts.variables) {
+        Variable& used = variables_.find(name)->second;
+        const bool known = std::exchange(used.used_by_field, true);
+        const bool told = conditional ? known : std::exchange(used.used_always, true);
+        if (!told) markUsed(*variable, conditional);
+    }
 }
 
 std::optional<Scope::Value> Scope::value(const Node& node, const std::string& label,
@@ -157,7 +180,10 @@ bool Scope::isUsedByFields(std::string_view table) const {
 Node Scope::usedByFields() const {
     Node map = Node::map();
     for (const auto& [name, variable] : variables_)
-        if (variable.used_by_field) map.set(name, Node::number(variable.value).at(variable.key));
+        if (variable.used_by_field)
+            map.set(name, (variable.value.constant() ? Node::number(variable.value.value())
+                                                     : Node::plain(variable.value.text()))
+                              .at(variable.key));
     return map;
 }
 

@@ -30,7 +30,8 @@ class Scope {
                        bool counts_as_use = true);
 
     /// Resolves the map `variables` by dependency; whatever is wrong is reported.
-    void define(const Node& variables, const UnitSystem& units, Diagnostics& diagnostics);
+    void define(const Node& variables, const UnitSystem& units, Diagnostics& diagnostics,
+                int case_dimension = 0);
 
     /// Value of a number, quantity or expression; nothing (and a report) when it is wrong.
     /// `label` names the value in messages.
@@ -79,22 +80,27 @@ class Scope {
         const Node* node = nullptr;
         Place key;
         State state = State::waiting;
-        double value = 0;
+        FieldExpression value;     ///< constant, or of place and time
         KnownDimension dimension;  ///< known where it was given with a unit
         bool used = false;
         bool used_by_field = false;
+        bool used_always = false;  ///< by a field without a condition
     };
     struct Evaluation;
 
-    std::optional<double> resolve(const std::string& name, const Place& user,
-                                  const UnitSystem& units, Diagnostics& diagnostics,
-                                  bool counts_as_use = true);
+    /// The value of a variable; nullptr where it is wrong, which is reported.
+    const FieldExpression* resolve(const std::string& name, const Place& user,
+                                   const UnitSystem& units, Diagnostics& diagnostics,
+                                   bool counts_as_use = true);
+    /// An expression that is evaluated during the run needs these.
+    void markUsed(const ExpressionParts& parts, bool conditional);
 
     /// Whether what is needed can be found out now: it may be failed, or depend on itself, which
     /// is reported.
     bool canBegin(const std::string& name, State state, const Place& user,
                   Diagnostics& diagnostics) const;
 
+    int case_dimension_ = 0;
     std::map<std::string, Variable, std::less<>> variables_;
     std::map<std::string, Table, std::less<>> tables_;
     ReadTable read_table_;

@@ -42,6 +42,21 @@ bool isOfTimeAlone(std::string_view text, const Identifier& function) {
     return close < text.size() && text[argument] == 't' && text[close] == ')';
 }
 
+/// "x and t", or "t (through 'phase')" where another variable is the reason.
+std::string why(const ExpressionParts& variable) {
+    std::string text;
+    for (const char field : variable.fields)
+        text += (text.empty() ? "" : " and ") + std::string(1, field);
+    std::set<char> left = variable.fields;
+    std::optional<ExpressionError> wrong;
+    for (const Identifier& name : scanExpression(variable.text, wrong))
+        if (name.name.size() == 1) left.erase(name.name[0]);
+    for (const auto& [name, used] : variable.variables)
+        for (const char field : left)
+            if (used->fields.contains(field)) return text + " (through '" + name + "')";
+    return text;
+}
+
 }  // namespace
 
 auto Scope::Evaluation::splitQuantity(std::string_view text) -> std::optional<Quantity> {
@@ -146,36 +161,35 @@ std::optional<FieldExpression> Scope::Evaluation::expression(const Node& node) {
     std::optional<ExpressionError> error;
     const std::vector<Identifier> identifiers = scanExpression(node.text, error);
     if (error) return fail(within(node, error->position), label + ": " + error->message);
-    ExpressionParts parts{node.text, {}, {}};
-    bool uses_time = false;
-    bool uses_place = false;
+    ExpressionParts parts{.text = node.text};
+    parts.conditional = node.text.find('?') != std::string::npos;
     bool good = true;
     for (const Identifier& name : identifiers) {
-        const Place place = within(node, name.position);
-        if (!check(node, name)) {
+        if (!check(node, name))
             good = false;
-        } else if (contains(fieldNames(), name.name)) {
-            (name.name == "t" ? uses_time : uses_place) = true;
-        } else if (scope.hasTable(name.name)) {
+        else if (contains(fieldNames(), name.name))
+            parts.fields.insert(name.name[0]);
+        else if (scope.hasTable(name.name))
             good = useTable(node, name, parts) && good;
-        } else if (scope.has(name.name)) {
-            const auto value = scope.resolve(name.name, place, units, diagnostics);
-            good = good && value;
-            if (value) parts.constants[name.name] = *value;
-        }
+        else if (scope.has(name.name))
+            good = useVariable(within(node, name.position), name.name, parts) && good;
     }
     if (!good) return std::nullopt;
     try {
         ExpressionParser parser(parts);
         if (!checkDimension(node)) return std::nullopt;
-        if (!uses_time && !uses_place) return finite(node, parser.evaluate(0, 0, 0, nan_value));
+        if (parts.fields.empty()) return finite(node, parser.evaluate(0, 0, 0, nan_value));
     } catch (const ExpressionError& e) {
         return fail(within(node, e.position), label + ": " + e.message);
     } catch (const OutsideTable& asked) {
         return fail(node.place, label + ": " + asked.table->rangeText() + ", but none at " +
                                     asked.table->argumentText(asked.argument));
     }
-    return compiled(std::move(parts), uses_time, uses_place);
+    static std::atomic<std::uint64_t> next_id{0};
+    FieldExpression result;
+    result.compiled_ = std::make_shared<FieldExpression::Compiled>(
+        FieldExpression::Compiled{next_id++, std::move(parts)});
+    return result;
 }
 
 bool Scope::Evaluation::useTable(const Node& node, const Identifier& name, ExpressionParts& parts) {
@@ -184,24 +198,27 @@ bool Scope::Evaluation::useTable(const Node& node, const Identifier& name, Expre
     if (!table) return false;
     UsedTable& used = parts.tables[name.name];
     used.table = table;
-    // Under a condition the expression may know better when it may be asked.
-    if (!isOfTimeAlone(node.text, name) || node.text.find('?') != std::string::npos) return true;
-    used.of_time = true;
-    scope.timed_calls_.push_back({table, place});
+    if (isOfTimeAlone(node.text, name)) used.of_time.push_back(place);
     return true;
 }
 
-FieldExpression Scope::Evaluation::compiled(ExpressionParts parts, bool uses_time,
-                                            bool uses_place) {
-    for (const auto& [name, value] : parts.constants)
-        scope.variables_.find(name)->second.used_by_field = true;
-    for (const auto& [name, used] : parts.tables)
-        scope.tables_.find(name)->second.used_by_field = true;
-    static std::atomic<std::uint64_t> next_id{0};
-    FieldExpression result;
-    result.compiled_ = std::make_shared<FieldExpression::Compiled>(
-        FieldExpression::Compiled{next_id++, std::move(parts), uses_time, uses_place});
-    return result;
+bool Scope::Evaluation::useVariable(const Place& place, const std::string& name,
+                                    ExpressionParts& parts) {
+    const FieldExpression* value = scope.resolve(name, place, units, diagnostics);
+    if (!value) return false;
+    if (value->constant()) {
+        parts.constants[name] = value->value();
+        return true;
+    }
+    const ExpressionParts& variable = value->compiled_->parts;
+    if (!allow_fields)
+        return fail(place, "the variable '" + name + "' depends on " + why(variable) +
+                               ": it may be used in initial values and profiles only"),
+               false;
+    parts.variables[name] = {value->compiled_, &variable};
+    parts.fields.insert(variable.fields.begin(), variable.fields.end());
+    parts.conditional = parts.conditional || variable.conditional;
+    return true;
 }
 
 bool Scope::Evaluation::checkDimension(const Node& node) {

@@ -40,7 +40,7 @@ struct Scope::Evaluation {
     /// Reports a name that cannot stand there.
     bool check(const Node& node, const Identifier& name);
     bool useTable(const Node& node, const Identifier& name, ExpressionParts& parts);
-    FieldExpression compiled(ExpressionParts parts, bool uses_time, bool uses_place);
+    bool useVariable(const Place& place, const std::string& name, ExpressionParts& parts);
 };
 
 }  // namespace sphinx::input

@@ -170,6 +170,22 @@ TEST_CASE("Asked for what it does not have a table stops the run with place and 
     CHECK(Fixture(Outside::hold).field("paddle(t + 1)")(here, 9) == 0);
 }
 
+TEST_CASE("Tables in variables") {
+    Fixture f(Outside::error, {{"angle", "paddle(t)/2"},
+                               {"late", "paddle(t - 1)"},
+                               {"top", "paddle(1)"},
+                               {"unused", "paddle(t)"}});
+    CHECK(f.field("top").constant());
+    CHECK(f.field("angle + top")(here, 0.5) == 2.5);
+    CHECK(f.scope.timedCalls().size() == 1);
+    CHECK(f.field("angle")(here, 4) == -0.5);
+    CHECK(f.field("t < 1 ? 0 : late")(here, 0) == 0);
+    CHECK(f.field("t < 1 ? 0 : late")(here, 2) == 2);
+    CHECK_THROWS_AS(f.field("late")(here, 0), PhysicsError);
+    CHECK_THROWS_AS(f.field("t < 9 ? angle : 0")(here, 4), PhysicsError);
+    CHECK(f.scope.isUsedByFields("paddle"));
+}
+
 TEST_CASE("Names of tables and variables are one another's") {
     Fixture f(Outside::error, {{"paddle", "1"}});
     CHECK(f.diagnostics.text() == "error: 'paddle' is a table already\n");
