@@ -35,7 +35,7 @@ struct BodyBlock {
     std::optional<input::Table> points;
     std::optional<LineBlock> line;
     std::optional<AreaBlock> area;
-    std::optional<model::Follows> follows;
+    std::optional<model::Followed> follows;
 };
 
 /// An entry of `bodies`.

@@ -189,12 +189,7 @@ void declareBody(Registry& registry) {
     d.optional("points", &P::points, table(unit::length), "observer: points");
     d.optional("line", &P::line, structure<LineBlock>(block("bodies.line")), "observer: a line");
     d.optional("area", &P::area, structure<AreaBlock>(block("bodies.area")), "observer: an area");
-    d.optional("follows", &P::follows,
-               choice<model::Follows>({{"space", model::Follows::space, "stays where it is"},
-                                       {"material", model::Follows::material,
-                                        "moves with the particles nearest at its first row: in a "
-                                        "fluid it drifts with the flow"}}),
-               "observer: whether it moves");
+    d.optional("follows", &P::follows, followed(), "observer: whether it moves, and with what");
 }
 
 void declareLoop(Registry& registry) {

@@ -51,7 +51,7 @@ model::Body makeBody(const NamedBody& named, const Component* material, int dime
     body.material = block.material;
     body.resolution = block.resolution.value_or(model::BodyResolution{});
     body.initial = block.initial.value_or(model::Initial{});
-    body.follows = block.follows.value_or(model::Follows::space);
+    body.follows = block.follows.value_or(model::Followed{});
     for (const auto& [part, shape] : block.parts)
         body.parts.push_back({part.text, part.place, shape});
     if (block.particles) {
