@@ -8,7 +8,7 @@
 #include "input/expressions/decimal.h"
 
 #include <fmt/format.h>
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
