@@ -5,6 +5,7 @@
 #include "core/types.h"
 
 #include <array>
+#include <cmath>
 
 namespace sphinx::bodies {
 
@@ -18,6 +19,16 @@ struct Domain {
     std::array<bool, Dim> periodic{};
     LostParticles lost = LostParticles::stop;
 
+    /// The coordinate along that axis, within the period.
+    double wrapped(double x, int axis) const {
+        if (!periodic[static_cast<std::size_t>(axis)]) return x;
+        const double period = bounds.upper[axis] - bounds.lower[axis];
+        return x - period * std::floor((x - bounds.lower[axis]) / period);
+    }
+    Vec<Dim> wrapped(Vec<Dim> x) const {
+        for (int k = 0; k < Dim; ++k) x[k] = wrapped(x[k], k);
+        return x;
+    }
     /// Shortest vector from b to a, over the periodic images.
     Vec<Dim> difference(const Vec<Dim>& a, const Vec<Dim>& b) const {
         Vec<Dim> d = a - b;

@@ -8,7 +8,10 @@
 #include "input/expressions/units.h"
 
 #include <experimental/propagate_const>
+#include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -23,6 +26,8 @@ struct World {
     /// Of a const world the bodies are const, too.
     using OwnedBody = std::experimental::propagate_const<std::unique_ptr<Body<Dim>>>;
     std::vector<OwnedBody> bodies;
+    /// Those that the case names, for what acts in a part of space.
+    std::map<std::string, geometry::ShapePointer<Dim>, std::less<>> shapes;
 
     /// "0.1 m", "(1, 2) m", for messages.
     std::string quantityText(double value, Dimension dimension) const {

@@ -29,6 +29,8 @@ class Part {
     }
 
     OfBody& body() const { return *body_; }
+    /// nullptr where it is all of a body.
+    const bodies::BodyPart<Dim>* named() const { return part_; }
     std::size_t size() const { return part_ ? part_->particles.size() : body_->size(); }
     /// Index in the body of the n-th particle.
     std::size_t operator[](std::size_t n) const { return part_ ? part_->particles[n] : n; }

@@ -6,6 +6,7 @@
 #include "io/file/compress.h"
 #include "io/series/columns.h"
 #include "io/series/rows_output.h"
+#include "measure/observe_carried.h"
 #include "measure/observe_elevation.h"
 #include "measure/observe_material.h"
 
@@ -133,32 +134,39 @@ std::string lookedAt(const bodies::Body<Dim>& observer) {
 template <int Dim>
 std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Component& component,
                                     const io::OutputContext<Dim>& context) {
-    const bodies::Body<Dim>& observer = *context.world.find(p.observer.text);
-    const bool follows = std::find(context.followers.begin(), context.followers.end(), &observer) !=
-                         context.followers.end();
+    bodies::Body<Dim>& observer = *context.world.find(p.observer.text);
+    const io::Follower<Dim>* follower = context.follower(observer);
+    const std::string followed = !follower          ? ""
+                                 : !follower->solid ? "the material"
+                                 : follower->part
+                                     ? follower->solid->name + "." + follower->part->name
+                                     : follower->solid->name;
     if (observer.sees.empty())
         io::failAt(p.observer.place,
                    "the observer '" + observer.name + "' sees no body; name some in topology");
     if (p.quantity) {
-        if (follows)
+        if (follower)
             io::failAt(p.observer.place,
                        "the elevation of the surface is observed at points fixed in "
                        "space, but '" +
-                           observer.name + "' follows the material");
+                           observer.name + "' follows " + followed);
         return io::makeRowsOutput(component, context,
                                   {p, "surface_elevation at " + lookedAt(observer)},
                                   makeElevationSource(observer, p.observer.place, context));
     }
     std::vector<std::vector<const particles::FieldBase*>> fields = observedFields(p, observer);
     std::unique_ptr<ObserveWeights<Dim>> weights;
-    if (follows)
+    if (follower && follower->solid)
+        weights = std::make_unique<CarriedWeights<Dim>>(observer, *follower, context.relations,
+                                                        context.world);
+    else if (follower)
         weights = std::make_unique<MaterialWeights<Dim>>(observer, context.relations,
                                                          context.world.domain);
     else
         weights = std::make_unique<ObserveWeights<Dim>>(observer, context.relations);
     return io::makeRowsOutput(
         component, context,
-        {p, (follows ? "points of the material " : "points in space ") + lookedAt(observer)},
+        {p, (follower ? "points of " + followed + " " : "points in space ") + lookedAt(observer)},
         std::make_unique<ObserveSource<Dim>>(std::move(weights), std::move(fields), p.mean,
                                              context.units));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/reduce.h"
 
+#include "dynamics/part.h"
 #include "io/series/rows_output.h"
 #include "measure/reduce_force.h"
 #include "measure/reduce_load.h"
@@ -43,9 +44,16 @@ template <int Dim>
 std::unique_ptr<io::SeriesSource> makeSource(const ReduceParameters& p,
                                              const input::Component& component,
                                              const io::OutputContext<Dim>& context) {
-    bodies::Body<Dim>& body = *context.world.find(p.body.text);
-    const ReducedBody<Dim> reduced{&body, p.body.place, context.units, &context.relations};
+    const dynamics::Part<Dim> part(context.world, p.body);
+    bodies::Body<Dim>& body = part.body();
+    const ReducedBody<Dim> reduced{
+        {&body, part.named()}, p.body.place, context.units, &context.relations};
     const auto about = p.about ? std::optional(p.about->template as<Dim>()) : std::nullopt;
+    const bool knows_whole =
+        p.quantity == Reduced::support_reaction || p.quantity == Reduced::applied_load;
+    if (knows_whole && reduced.part)
+        io::failAt(p.body.place, "supports and loads are known by body: ask for '" + body.name +
+                                     "' instead of a part of it");
     switch (p.quantity) {
         case Reduced::mechanical_energy: return mechanicalEnergy(reduced);
         case Reduced::kinetic_energy: return kineticEnergy(reduced);
@@ -68,7 +76,7 @@ std::unique_ptr<io::SeriesSource> makeSource(const ReduceParameters& p,
     if (!body.isSolid())
         io::failAt(p.body.place,
                    "the force is that of fluids on a solid, but '" + body.name + "' is a fluid");
-    return makeForceSource<Dim>(body, p.body.place, context, about);
+    return makeForceSource<Dim>(reduced, context, about);
 }
 
 /// What is written, in the words of the case: a resumed run that writes something else begins its
@@ -88,8 +96,9 @@ std::string formOf(const ReduceParameters& p, const input::Component& component)
 void declareReduce(input::Registry& registry) {
     using P = ReduceParameters;
     auto& d = registry.declare<P>(input::Kind::output, "reduce");
-    d.summary("Time series of a sum or extreme over the particles of a body");
-    d.required("body", &P::body, input::bodyReference({"fluid", "solid"}), "fluid or solid");
+    d.summary("Time series of a sum or extreme over the particles of a body, or of a part of it");
+    d.required("body", &P::body, input::partReference({"fluid", "solid"}),
+               "fluid or solid, or a part of it");
     d.required(
         "quantity", &P::quantity,
         input::choice<Reduced>({

@@ -6,6 +6,7 @@
 #include "io/output/factory.h"
 #include "io/series/quantity.h"
 #include "io/series/series.h"
+#include "measure/reduced_body.h"
 
 #include <deque>
 #include <optional>
@@ -20,9 +21,8 @@ namespace sphinx::measure {
 template <int Dim>
 class ForceSource final : public io::SeriesSource {
  public:
-    ForceSource(const bodies::Body<Dim>& solid,
+    ForceSource(const ReducedBody<Dim>& reduced,
                 const std::vector<const dynamics::fluid::SolidLoad<Dim>*>& loads,
-                neighbors::Relations<Dim>& relations, const input::UnitSystem& units,
                 const std::optional<Vec<Dim>>& moment_about);
 
     const std::vector<io::SeriesQuantity>& quantities() const override { return quantities_; }
@@ -38,6 +38,7 @@ class ForceSource final : public io::SeriesSource {
     const neighbors::NeighborList<Dim>& listOf(FluidLoads& fluid) const;
 
     const bodies::Body<Dim>* solid_;
+    const bodies::BodyPart<Dim>* part_;
     neighbors::Relations<Dim>* relations_;
     std::optional<Vec<Dim>> moment_about_;
     std::deque<FluidLoads> fluids_;
@@ -46,8 +47,7 @@ class ForceSource final : public io::SeriesSource {
 
 /// Throws CaseError at the place when no method of the loop acts between a fluid and the solid.
 template <int Dim>
-std::unique_ptr<io::SeriesSource> makeForceSource(const bodies::Body<Dim>& solid,
-                                                  const input::Place& place,
+std::unique_ptr<io::SeriesSource> makeForceSource(const ReducedBody<Dim>& reduced,
                                                   const io::OutputContext<Dim>& context,
                                                   const std::optional<Vec<Dim>>& moment_about = {});
 

@@ -28,7 +28,8 @@ const particles::Field<T>& require(const ReducedBody<Dim>& reduced,
 template <int Dim>
 struct Motion {
     explicit Motion(const ReducedBody<Dim>& reduced)
-        : body(reduced.body),
+        : particles(reduced),
+          body(reduced.body),
           x(&body->particles.position()),
           v(&require<Vec<Dim>>(reduced, fields::velocity)),
           m(&require<double>(reduced, fields::mass)) {}
@@ -37,6 +38,7 @@ struct Motion {
     double mass(std::size_t i) const { return body->hasMass(i) ? (*m)[i] : 0; }
     double kinetic(std::size_t i) const { return 0.5 * mass(i) * (*v)[i].squaredNorm(); }
 
+    ReducedParticles<Dim> particles;
     bodies::Body<Dim>* body;
     const particles::Field<Vec<Dim>>* x;
     const particles::Field<Vec<Dim>>* v;
@@ -46,10 +48,11 @@ struct Motion {
 /// A source of N sums whose terms `term(i)` gives as an array.
 template <int N, int Dim, class Term>
 std::unique_ptr<io::SeriesSource> sums(std::vector<io::SeriesQuantity> quantities,
-                                       const bodies::Body<Dim>* body, Term term) {
+                                       const ReducedParticles<Dim>& particles, Term term) {
     return std::make_unique<ReduceSource>(
-        std::move(quantities), [body, term](std::span<double> row) {
-            const std::array<double, N> sum = sumAll(body->size(), term);
+        std::move(quantities), [particles, term](std::span<double> row) {
+            const std::array<double, N> sum =
+                sumAll(particles.size(), [&](std::size_t n) { return term(particles[n]); });
             std::copy(sum.begin(), sum.end(), row.begin());
         });
 }
@@ -59,7 +62,8 @@ template <int Dim>
 double fluidEnergy(const Motion<Dim>& motion, const particles::Field<double>& density,
                    const bodies::Voids<Dim>& voids) {
     return materials::withLaw(*motion.body->fluid().material, [&](const auto& law) {
-        return sumAll(motion.body->size(), [&](std::size_t i) {
+        return sumAll(motion.particles.size(), [&](std::size_t n) {
+            const std::size_t i = motion.particles[n];
             return voids.at(i, density[i]) ? 0 : motion.mass(i) * law.internalEnergy(density[i]);
         });
     });
@@ -73,6 +77,9 @@ std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduc
         io::failAt(reduced.place,
                    "'" + reduced.body->name +
                        "' is rigid: it has no internal energy; ask for kinetic_energy");
+    if (reduced.part && reduced.body->isElastic())
+        io::failAt(reduced.place, "the internal energy is that of all of '" + reduced.body->name +
+                                      "'; of a part ask for kinetic_energy");
     const std::string energy = reduced.units.text(unit::energy);
     const Motion<Dim> motion(reduced);
     const auto* density = &require<double>(reduced, fields::density);
@@ -91,7 +98,8 @@ std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>& reduc
         [motion, density, voids, relations](std::span<double> row) {
             bodies::Body<Dim>& body = *motion.body;
             const Vec<Dim> g = body.gravity();
-            const auto sum = sumAll(body.size(), [&](std::size_t i) {
+            const auto sum = sumAll(motion.particles.size(), [&](std::size_t n) {
+                const std::size_t i = motion.particles[n];
                 return std::array<double, 2>{motion.kinetic(i),
                                              -motion.mass(i) * g.dot((*motion.x)[i])};
             });
@@ -106,24 +114,28 @@ template <int Dim>
 std::unique_ptr<io::SeriesSource> kineticEnergy(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
     return sums<1>({{"kinetic", reduced.units.text(unit::energy), "sum of m v^2/2", {}}},
-                   motion.body,
+                   motion.particles,
                    [motion](std::size_t i) { return std::array<double, 1>{motion.kinetic(i)}; });
 }
 
 template <int Dim>
 std::unique_ptr<io::SeriesSource> mass(const ReducedBody<Dim>& reduced) {
-    const bodies::Body<Dim>* body = reduced.body;
     const Motion<Dim> motion(reduced);
-    return std::make_unique<ReduceSource>(
-        std::vector<io::SeriesQuantity>{
-            {"mass", reduced.units.text(unit::mass), "of the body, without what a clamp holds", {}},
-            {"particles", "", "number of particles", {}},
-            {"removed", "", "particles that have left the body", {}}},
-        [body, motion](std::span<double> row) {
-            row[0] = sumAll(body->size(), [&](std::size_t i) { return motion.mass(i); });
-            row[1] = static_cast<double>(body->size());
-            row[2] = static_cast<double>(body->particles.nextId()) - row[1];
-        });
+    std::vector<io::SeriesQuantity> quantities{
+        {"mass",
+         reduced.units.text(unit::mass),
+         "of the " + reduced.what() + ", without what a clamp holds",
+         {}},
+        {"particles", "", "number of particles", {}}};
+    if (!reduced.part)
+        quantities.push_back({"removed", "", "particles that have left the body", {}});
+    return std::make_unique<ReduceSource>(std::move(quantities), [motion](std::span<double> row) {
+        const ReducedParticles<Dim>& particles = motion.particles;
+        row[0] = sumAll(particles.size(), [&](std::size_t n) { return motion.mass(particles[n]); });
+        row[1] = static_cast<double>(particles.size());
+        if (!particles.part)
+            row[2] = static_cast<double>(particles.body->particles.nextId()) - row[1];
+    });
 }
 
 template <int Dim>
@@ -131,7 +143,7 @@ std::unique_ptr<io::SeriesSource> momentum(const ReducedBody<Dim>& reduced) {
     const Motion<Dim> motion(reduced);
     return sums<Dim>({{"momentum", reduced.units.text(unit::momentum), "sum of m v",
                        io::componentLabels<Dim>(particles::Rank::vector)}},
-                     motion.body, [motion](std::size_t i) {
+                     motion.particles, [motion](std::size_t i) {
                          std::array<double, Dim> term;
                          for (int k = 0; k < Dim; ++k) term[k] = motion.mass(i) * (*motion.v)[i][k];
                          return term;
@@ -145,7 +157,7 @@ std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>& reduce
                                 reduced.units.text(unit::momentum * unit::length),
                                 "sum of m x cross v about the origin", io::momentLabels<Dim>()};
     constexpr int size = dynamics::Moment<Dim>::SizeAtCompileTime;
-    return sums<size>({std::move(quantity)}, motion.body, [motion](std::size_t i) {
+    return sums<size>({std::move(quantity)}, motion.particles, [motion](std::size_t i) {
         const dynamics::Moment<Dim> turn = dynamics::momentOf<Dim>((*motion.x)[i], (*motion.v)[i]);
         std::array<double, size> term;
         for (int k = 0; k < size; ++k) term[k] = motion.mass(i) * turn[k];
@@ -155,32 +167,34 @@ std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>& reduce
 
 template <int Dim>
 std::unique_ptr<io::SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced) {
-    const bodies::Body<Dim>* body = reduced.body;
+    const ReducedParticles<Dim> particles = reduced;
     const auto* v = &require<Vec<Dim>>(reduced, fields::velocity);
     return std::make_unique<ReduceSource>(
         std::vector<io::SeriesQuantity>{
             {"maximum_speed", reduced.units.text(unit::velocity), "largest abs(v)", {}}},
-        [body, v](std::span<double> row) {
-            row[0] = body->size() == 0 ? nan_value
-                                       : std::sqrt(maxAll(body->size(), 0, [&](std::size_t i) {
-                                             return (*v)[i].squaredNorm();
-                                         }));
+        [particles, v](std::span<double> row) {
+            row[0] = particles.size() == 0
+                         ? nan_value
+                         : std::sqrt(maxAll(particles.size(), 0, [&](std::size_t n) {
+                               return (*v)[particles[n]].squaredNorm();
+                           }));
         });
 }
 
 template <int Dim>
 std::unique_ptr<io::SeriesSource> frontPosition(const ReducedBody<Dim>& reduced, int axis) {
-    const bodies::Body<Dim>* body = reduced.body;
+    const ReducedParticles<Dim> particles = reduced;
     return std::make_unique<ReduceSource>(
         std::vector<io::SeriesQuantity>{{"front_position",
                                          reduced.units.text(unit::length),
                                          std::string("largest ") + "xyz" [axis],
                                          {}}},
-        [body, axis](std::span<double> row) {
-            const particles::Field<Vec<Dim>>& x = body->particles.position();
-            row[0] = body->size() == 0 ? nan_value
-                                       : maxAll(body->size(), x[0][axis],
-                                                [&](std::size_t i) { return x[i][axis]; });
+        [particles, axis](std::span<double> row) {
+            const particles::Field<Vec<Dim>>& x = particles.body->particles.position();
+            row[0] = particles.size() == 0
+                         ? nan_value
+                         : maxAll(particles.size(), x[particles[0]][axis],
+                                  [&](std::size_t n) { return x[particles[n]][axis]; });
         });
 }
 

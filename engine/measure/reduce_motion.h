@@ -2,22 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bodies/body.h"
 #include "io/output/factory.h"
 #include "io/series/series.h"
-#include "neighbors/relations.h"
+#include "measure/reduced_body.h"
 
 namespace sphinx::measure {
-
-/// Sums and extremes over the particles of a body. All of them have the same bits for any number
-/// of threads. They throw CaseError at the place when the body lacks a field that they need.
-template <int Dim>
-struct ReducedBody {
-    bodies::Body<Dim>* body;
-    input::Place place;  ///< where the case names it
-    input::UnitSystem units;
-    neighbors::Relations<Dim>* relations = nullptr;  ///< needed for the energy of elastic bodies
-};
 
 /// kinetic = sum m v^2/2; potential = -sum m g . x, g being the body's uniform gravities; internal
 /// = sum m e(rho) of a weakly compressible fluid, dynamics::solid::internalEnergy() of an elastic

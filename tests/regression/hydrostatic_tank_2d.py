@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The sphinx developers
 # SPDX-License-Identifier: Apache-2.0
-"""Water at rest: hydrostatic pressure, hardly any motion, the weight on the bottom.
+"""Water at rest: hydrostatic pressure, hardly any motion, the weight on the bottom, the forces on the sides.
 
 The compressed fluid has p = c^2 (exp(g d/c^2) - 1) at the depth d below its surface. The surface is
 where the particles say: their lattice starts from a full square, so it lies at y = 1.
@@ -21,6 +21,9 @@ LAST_ENERGY_LIMIT = 7e-5
 WEIGHT_LIMIT = 0.0015
 IMPULSE_LIMIT = 1e-5
 ROW_LIMIT = 2e-5
+# Of rho g H^2/2, on a side of the tank; and of the weight, what bottom and sides lack of the whole.
+SIDE_LIMIT = 0.015
+PARTS_LIMIT = 1e-12
 
 
 def exact(y):
@@ -38,6 +41,9 @@ def measure(spacing, *settings):
     energy = run.series("energy")
     force = run.series("force")
     weight = run.series("mass")["mass"][0]  # g = 1
+    parts = {name: run.series(name) for name in ("left", "right", "bottom")}
+    on_side = [abs(parts[name]["force_x"][force["time"] > 9].mean()) for name in ("left", "right")]
+    rest = [force[along] - sum(part[along] for part in parts.values()) for along in ("force_x", "force_y")]
     duration = np.diff(force["time"])
     unexplained = (np.diff(run.series("momentum")["momentum_y"]) +
                    duration * (force["force_y"][1:] + weight)) / weight
@@ -48,6 +54,8 @@ def measure(spacing, *settings):
         "energy at the end": energy["kinetic"][-1] / LENGTH,
         "largest energy": energy["kinetic"].max() / LENGTH,
         "weight": -force["force_y"][force["time"] > 9].mean() / weight - 1,
+        "sides": 2 * np.array(on_side) - 1,
+        "parts": np.abs(rest).max() / weight,
         "impulse": unexplained.sum() / duration.sum(),
         "rows": np.sqrt(np.mean((unexplained / duration) ** 2)),
     }
@@ -59,7 +67,7 @@ def study():
         found = measure(spacing, *settings)
         print(f"| 1/{1 / spacing:g} | {100 * found['profile']:.2f} | "
               f"{found['energy at the end']:.1e} | {found['largest energy']:.1e} | "
-              f"{100 * found['weight']:+.2f} | {found['impulse']:+.1e} | {found['rows']:.1e} |")
+              f"{100 * found['weight']:+.2f} | {100 * found['sides'].mean():+.2f} | {found['impulse']:+.1e} | {found['rows']:.1e} |")
 
 
 def plot():
@@ -82,6 +90,9 @@ def main():
     report.check("the same, largest over time", found["largest energy"], 0, LARGEST_ENERGY_LIMIT)
     report.check("force on the tank less the weight, of the weight", found["weight"],
                  -WEIGHT_LIMIT, WEIGHT_LIMIT)
+    for side, found_there in zip(("left", "right"), found["sides"]):
+        report.check(f"force on the {side} side less rho g H^2/2, of that", found_there, -SIDE_LIMIT, SIDE_LIMIT)
+    report.check("force on the tank less those on its parts, of the weight", found["parts"], 0, PARTS_LIMIT)
     report.check("impulse of the tank less what the water tells, of the weight's", found["impulse"],
                  -IMPULSE_LIMIT, IMPULSE_LIMIT)
     report.check("the same, root of the mean square over tenths of time", found["rows"], 0, ROW_LIMIT)

@@ -4,6 +4,7 @@
 
 #include "case/build/derived_output.h"
 #include "case/build/loop_facts.h"
+#include "dynamics/part.h"
 #include "io/output/factory.h"
 #include "io/output/progress.h"
 #include "io/restart/output.h"
@@ -22,14 +23,20 @@ std::unique_ptr<Output> makeRestart(const OutputTools<Dim>& tools,
     return std::make_unique<io::RestartOutput<Dim>>(parameters, tools.restart_bodies, tools.state);
 }
 
-/// Observers whose points move with the material.
+/// Observers whose points move.
 template <int Dim>
-std::vector<const bodies::Body<Dim>*> followers(const OutputTools<Dim>& tools) {
-    std::vector<const bodies::Body<Dim>*> bodies;
-    for (const model::Body& body : tools.model.bodies)
-        if (body.role == bodies::Role::observer && body.follows == model::Follows::material)
-            bodies.push_back(tools.world.find(body.name));
-    return bodies;
+std::vector<io::Follower<Dim>> followers(const OutputTools<Dim>& tools) {
+    std::vector<io::Follower<Dim>> found;
+    for (const model::Body& body : tools.model.bodies) {
+        if (body.role != bodies::Role::observer || body.follows.what == model::Follows::space)
+            continue;
+        io::Follower<Dim>& follower = found.emplace_back(tools.world.find(body.name));
+        if (body.follows.what == model::Follows::material) continue;
+        const dynamics::Part<Dim> part(tools.world, body.follows.solid);
+        follower.solid = &part.body();
+        follower.part = part.named();
+    }
+    return found;
 }
 
 /// Refuses what would write the same files as an output before it.

@@ -5,6 +5,7 @@
 #include "case/build/initial_values.h"
 #include "case/check/checks.h"
 #include "case/language/changes.h"
+#include "core/errors.h"
 #include "materials/register.h"
 
 #include <cmath>
@@ -117,7 +118,12 @@ void makeParticles(const model::Case& model, const model::Body& source,
         particles[i].position = points[i];
         particles[i].volume = volumes[i];
     }
-    giveInitialValues(source, model.loop.start_time, particles);
+    try {
+        giveInitialValues(source, model.loop.start_time, particles);
+    } catch (const PhysicsError& e) {
+        diagnostics.error(source.place, e.what());
+        diagnostics.throwIfErrors();
+    }
     bodies::addParticles(body, particles);
 }
 
@@ -132,6 +138,7 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
     auto world = std::make_unique<bodies::World<Dim>>();
     world->units = model.units;
     world->domain = makeDomain<Dim>(model);
+    for (const model::Shape& shape : model.shapes) world->shapes[shape.name] = shape.as<Dim>();
 
     std::map<std::string, std::shared_ptr<const materials::Material>> materials;
     for (const input::Component& material : model.materials)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "case/check/checks.h"
+#include "core/errors.h"
 
 #include "case/language/rules.h"
 
@@ -12,7 +13,11 @@ void checkWorldRules(const model::Case& model, const bodies::World<Dim>& world,
     dynamics::BuiltCase<Dim> built{language::writtenCase(model, diagnostics), world};
     for (const input::Component& method : model.dynamics)
         if (const dynamics::MethodBuilder* of = language::rulesOf(*method.declaration))
-            for (const dynamics::WorldRule& rule : of->world_rules) rule.check(method, built);
+            for (const dynamics::WorldRule& rule : of->world_rules) try {
+                    rule.check(method, built);
+                } catch (const PhysicsError& e) {  // of an expression at the start
+                    diagnostics.error(method.place, e.what());
+                }
     for (const std::string& name : model.registry->names(input::Kind::dynamics))
         if (const dynamics::MethodBuilder* of =
                 language::rulesOf(*model.registry->find(input::Kind::dynamics, name)))

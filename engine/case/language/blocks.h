@@ -5,6 +5,7 @@
 // The blocks of a case as they are written, before they become a model.
 
 #include "case/language/shapes.h"
+#include "case/language/tables.h"
 #include "case/model/model.h"
 #include "dynamics/multibody/parameters.h"
 #include "input/declaration/registry.h"
@@ -35,7 +36,7 @@ struct BodyBlock {
     std::optional<input::Table> points;
     std::optional<LineBlock> line;
     std::optional<AreaBlock> area;
-    std::optional<model::Follows> follows;
+    std::optional<model::Followed> follows;
 };
 
 /// An entry of `bodies`.
@@ -69,6 +70,7 @@ struct CaseBlock {
     std::optional<input::UnitSystem> units = input::UnitSystem{};  ///< empty: none
     std::vector<std::string> include;  ///< already merged when the block is read
     input::Node variables;             ///< once read: those that the resolved case needs
+    std::vector<NamedTable> tables;    ///< likewise
     model::Resolution resolution;
     model::Domain domain;
     std::vector<NamedShape> geometry;

@@ -32,7 +32,10 @@ void registerKernels(Registry& registry) {
 void declareVariables(Registry& registry) {
     struct NoParameters {};
     auto& d = registry.declare<NoParameters>(Kind::block, "variables");
-    d.summary("Names for numbers, quantities (number, blank, unit) and expressions, in any order");
+    d.summary(
+        "Names for numbers, quantities (number, blank, unit) and expressions, in any order; one "
+        "that "
+        "depends on x, y, z or t may stand where they may");
     d.formula(expressionHelp());
 }
 
@@ -189,12 +192,7 @@ void declareBody(Registry& registry) {
     d.optional("points", &P::points, table(unit::length), "observer: points");
     d.optional("line", &P::line, structure<LineBlock>(block("bodies.line")), "observer: a line");
     d.optional("area", &P::area, structure<AreaBlock>(block("bodies.area")), "observer: an area");
-    d.optional("follows", &P::follows,
-               choice<model::Follows>({{"space", model::Follows::space, "stays where it is"},
-                                       {"material", model::Follows::material,
-                                        "moves with the particles nearest at its first row: in a "
-                                        "fluid it drifts with the flow"}}),
-               "observer: whether it moves");
+    d.optional("follows", &P::follows, followed(), "observer: whether it moves, and with what");
 }
 
 void declareLoop(Registry& registry) {
@@ -289,6 +287,8 @@ void declareCase(Registry& registry) {
     d.optional("include", &P::include, list(text()),
                "files whose maps are merged into this one, which wins");
     d.optional("variables", &P::variables, variables(), "numbers for expressions");
+    d.optional("tables", &P::tables, namedTables(block("tables")),
+               "functions of one argument for expressions");
     d.required("resolution", &P::resolution, structure<model::Resolution>(block("resolution")),
                "spacing and kernel");
     d.optional("domain", &P::domain, structure<model::Domain>(block("domain")), "bounds");
@@ -312,6 +312,7 @@ void registerCaseLanguage(Registry& registry) {
     registerShapes(registry);
     declareUnits(registry);
     declareVariables(registry);
+    declareTables(registry);
     declareResolution(registry);
     declareDomain(registry);
     declareBody(registry);

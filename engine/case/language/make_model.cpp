@@ -54,7 +54,7 @@ model::Body makeBody(const NamedBody& named, const Component* material, int dime
     body.initial = block.initial.value_or(model::Initial{});
     for (const auto& [key, place] : named.given)
         if (key == "initial") body.initial.place = place;
-    body.follows = block.follows.value_or(model::Follows::space);
+    body.follows = block.follows.value_or(model::Followed{});
     for (const auto& [part, shape] : block.parts)
         body.parts.push_back({part.text, part.place, shape});
     if (block.particles) {

@@ -18,8 +18,8 @@ namespace {
 
 using namespace input;
 
-const std::vector<std::string> named_blocks{"variables", "geometry", "materials", "bodies",
-                                            "topology",  "dynamics", "outputs"};
+const std::vector<std::string> named_blocks{"variables", "tables",   "geometry", "materials",
+                                            "bodies",    "topology", "dynamics", "outputs"};
 
 /// Reports for a block what its own declaration cannot know: its place.
 void placeDomain(const Node& root, CaseBlock& block) {
@@ -57,12 +57,14 @@ model::Case interpret(const Node& root, const Registry& registry, Diagnostics& d
         for (const Node::Entry& entry : dynamics->entries) reader.methods.push_back(entry.key);
     const Declaration& declaration = *registry.find(Kind::block, "case");
     CaseBlock block;
+    announceTables(root, reader, block.tables);
     readParameters(root, root.place, reader, {{&declaration, &block}});
     checkNames(block, root, reader);
     diagnostics.throwIfErrors();
 
     placeDomain(root, block);
     checkSense(block, reader.units, diagnostics);
+    checkTableTimes(reader, block.loop);
     diagnostics.throwIfErrors();
     model::Case model = makeModel(block, reader.units, diagnostics);
     diagnostics.throwIfErrors();
@@ -77,6 +79,9 @@ model::Case interpret(const Node& root, const Registry& registry, Diagnostics& d
     model.warnings = diagnostics.text();
     for (const std::string& path : reader.files) model.files[path] = contentText(path);
     block.variables = reader.scope.usedByFields();
+    std::erase_if(block.tables, [&](const NamedTable& table) {
+        return !reader.scope.isUsedByFields(table.name);
+    });
     model.resolved = writeStructure(declaration, &block, &root);
     // What is resolved means what this version says, whichever the case was written in.
     if (block.version != language_version)

@@ -99,8 +99,49 @@ class ContactType final : public TypeBase {
     std::string text() const override { return "self | name of a body | {bonded: name of a body}"; }
 };
 
+class FollowedType final : public TypeBase {
+ public:
+    bool read(const Node& node, Reader& reader, void* out) const override {
+        auto& followed = *static_cast<model::Followed*>(out);
+        if (node.isMap() && node.entries.size() == 1 && node.entries[0].key == "body") {
+            followed.what = model::Follows::solid;
+            return partReference({"rigid"}).base()->read(node.entries[0].value, reader,
+                                                         &followed.solid);
+        }
+        followed.what = node.text == "material" ? model::Follows::material : model::Follows::space;
+        return (node.isScalar() && (node.text == "space" || node.text == "material")) ||
+               reader.mismatch(node, "space, material or {body: NAME}");
+    }
+    Node write(const void* value, const Node* source) const override {
+        const auto& followed = *static_cast<const model::Followed*>(value);
+        const Place place = source ? source->place : Place{};
+        if (followed.what != model::Follows::solid)
+            return Node::plain(followed.what == model::Follows::material ? "material" : "space")
+                .at(place);
+        Node map = Node::map().at(place);
+        map.set("body", Node::plain(followed.solid.text).at(followed.solid.place));
+        return map;
+    }
+    Node schema(SchemaBuilder&) const override {
+        Node schema = Node::map();
+        schema.set("type", Node::list({Node::string("string"), Node::string("object")}));
+        Node properties = Node::map();
+        properties.set("body", schemaType("string"));
+        schema.set("properties", std::move(properties));
+        schema.set("required", Node::list({Node::string("body")}));
+        schema.set("additionalProperties", Node::plain("false"));
+        return schema;
+    }
+    std::string text() const override {
+        return "space (stays where it is) | material (moves with the particles nearest at its "
+               "first row: in a fluid it drifts with the flow) | {body: NAME} (moves and turns "
+               "with a rigid body, or a part of one)";
+    }
+};
+
 }  // namespace
 
+Type<model::Followed> followed() { return Type<model::Followed>(std::make_shared<FollowedType>()); }
 Type<std::vector<NamedBody>> namedBodies(const Declaration& body) {
     return Type<std::vector<NamedBody>>(std::make_shared<NamedBodiesType>(body));
 }

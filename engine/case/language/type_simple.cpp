@@ -52,7 +52,7 @@ class VariablesType final : public TypeBase {
         const std::size_t before = reader.diagnostics.errors();
         for (const Node::Entry& entry : node.entries)
             checkNewName(entry.key, entry.place, reader.diagnostics);
-        reader.scope.define(node, reader.units, reader.diagnostics);
+        reader.scope.define(node, reader.units, reader.diagnostics, reader.dimension);
         *static_cast<Node*>(out) = node;
         return reader.diagnostics.errors() == before;
     }

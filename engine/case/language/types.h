@@ -24,6 +24,8 @@ input::Type<std::vector<NamedBody>> namedBodies(const input::Declaration& body);
 void declareMultibody(input::Registry& registry);
 
 input::Type<ContactBlock> contact();
+/// space | material | {body: NAME}.
+input::Type<model::Followed> followed();
 input::Type<model::TimeStep> timeStep();
 /// A line of the loop; uses the blocks `layer` and `run`.
 input::Type<model::Step> step(const input::Registry& registry);

@@ -78,7 +78,13 @@ struct Part {
     Name shape;  ///< the particles inside of it
 };
 
-enum class Follows { space, material };
+enum class Follows { space, material, solid };
+
+/// What the points of an observer move with.
+struct Followed {
+    Follows what = Follows::space;
+    Name solid;  ///< a rigid body, or a part of one; empty: none
+};
 
 /// Particles given one by one instead of a lattice.
 struct DirectParticles {
@@ -97,7 +103,7 @@ struct Body {
     std::vector<Part> parts;
     std::optional<DirectParticles> particles;  ///< without: a lattice in the shape
     std::vector<Coordinates> points;           ///< observers: where they look
-    Follows follows = Follows::space;          ///< observers
+    Followed follows;                          ///< observers
 
     double spacing(const Resolution& reference) const;
     double smoothingRatio(const Resolution& reference) const;

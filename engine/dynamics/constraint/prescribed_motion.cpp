@@ -77,8 +77,6 @@ class PrescribedWallMotion final : public PrescribedMotion<Dim> {
     void rest() override;
 
  private:
-    /// Into the period of the domain.
-    double wrapped(double x, int axis) const;
     void turnNormals(const MotionAt<Dim>& after);
 
     Field<Vec<Dim>>& acceleration_;
@@ -150,15 +148,6 @@ void PrescribedWallMotion<Dim>::prepare() {
 }
 
 template <int Dim>
-double PrescribedWallMotion<Dim>::wrapped(double x, int axis) const {
-    const Domain<Dim>& domain = this->world_->domain;
-    if (!domain.periodic[static_cast<std::size_t>(axis)]) return x;
-    const double lower = domain.bounds.lower[axis];
-    const double period = domain.bounds.upper[axis] - lower;
-    return x - period * std::floor((x - lower) / period);
-}
-
-template <int Dim>
 void PrescribedWallMotion<Dim>::run(const Clock& clock) {
     if (clock.is_start) return;
     const double dt = clock.dt;
@@ -179,7 +168,7 @@ void PrescribedWallMotion<Dim>::run(const Clock& clock) {
             const double u2 = after(start, c);
             velocity[i][c] = (u2 - u0) / dt;
             acceleration_[i][c] = ((u2 - u1) - (u1 - u0)) / (half * half);
-            position[i][c] = wrapped(start[c] + u2, c);
+            position[i][c] = this->world_->domain.wrapped(start[c] + u2, c);
             moved += u0 + u1 + u2;
         }
         return !std::isfinite(moved);

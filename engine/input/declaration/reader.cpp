@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace sphinx::input {
 namespace {
@@ -92,6 +93,12 @@ std::optional<double> Reader::number(const Node& node, Dimension dimension) {
     error(node, fmt::format("{} is {:g} but must be between -{:g} and {:g}", label, *value, largest,
                             largest));
     return {};
+}
+
+std::string shownFile(const Node& node) {
+    return (std::filesystem::path(node.place.source->folder) / node.text)
+        .lexically_normal()
+        .string();
 }
 
 bool readParameters(const Node& node, const Place& place, Reader& reader,

@@ -81,6 +81,9 @@ Node writeStructure(const Declaration& declaration, const void* parameters, cons
 /// something else.
 bool checkNewName(const std::string& name, const Place& place, Diagnostics& diagnostics);
 
+/// The file that a scalar names, relative to where the program runs.
+std::string shownFile(const Node& node);
+
 /// Sets reader.label for its own life.
 class Label {
  public:

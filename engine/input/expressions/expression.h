@@ -23,10 +23,11 @@ class FieldExpression {
     bool dependsOnPlace() const;
     double value() const { return constant_; }
 
+    /// Throws PhysicsError where it asks a table for what that does not have.
     template <int Dim>
     double operator()(const Vec<Dim>& point, double t) const {
         return constant() ? constant_
-                          : evaluate(point[0], point[1], Dim == 3 ? point[Dim - 1] : 0, t);
+                          : evaluate(point[0], point[1], Dim == 3 ? point[Dim - 1] : 0, t, Dim);
     }
     /// As in the case file, or the number.
     std::string text() const;
@@ -34,7 +35,7 @@ class FieldExpression {
  private:
     friend class Scope;
     struct Compiled;
-    double evaluate(double x, double y, double z, double t) const;
+    double evaluate(double x, double y, double z, double t, int dimension) const;
 
     double constant_ = 0;
     std::shared_ptr<const Compiled> compiled_;

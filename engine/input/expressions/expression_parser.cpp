@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <numbers>
 
 namespace sphinx::input {
@@ -179,35 +180,115 @@ std::string expressionHelp() {
     return text + "; atan2(y, x) angle of a point, radian; max(a, b, ...); min(a, b, ...)";
 }
 
+namespace {
+
+/// Names of functions and constants for every text.
+void defineWords(mu::Parser& parser) {
+    parser.ClearFun();
+    parser.ClearConst();
+    for (const Function& f : functions) parser.DefineFun(f.name, f.one);
+    parser.DefineFun("atan2", angle);
+    parser.DefineFun("min", smallest);
+    parser.DefineFun("max", largest);
+    parser.DefineConst("pi", std::numbers::pi);
+    parser.DefineConst("e", std::numbers::e);
+}
+
+}  // namespace
+
 struct ExpressionParser::Implementation {
-    mu::Parser parser;
+    /// What muParser hands to the function of a table.
+    struct TableCall {
+        UsedTable used;
+        const Implementation* in;
+    };
+    /// A text of its own: the whole, or a variable that depends on place or time. muParser sees a
+    /// variable as a function without arguments, so that only the chosen side of a condition is
+    /// worked out.
+    struct Part {
+        const ExpressionParts* written;
+        Implementation* in;
+        std::unique_ptr<mu::Parser> parser = {};  // once it is needed
+        std::uint64_t evaluation = 0;             // in which `value` was found
+        double value = 0;
+    };
+
+    static double callTable(void* data, double argument) {
+        const auto& [used, in] = *static_cast<const TableCall*>(data);
+        if (in->compiling) return 0;
+        const bool known = !used.of_time.empty() && !in->conditional && argument == in->t;
+        return known ? used.table->continued(argument) : (*used.table)(argument);
+    }
+    static double callVariable(void* data) {
+        Part& part = *static_cast<Part*>(data);
+        if (part.in->compiling) return 0;
+        if (!part.parser) part.in->compile(part);
+        if (part.evaluation != part.in->evaluation) {
+            part.value = part.parser->Eval();
+            part.evaluation = part.in->evaluation;
+        }
+        return part.value;
+    }
+
+    Part& partOf(const ExpressionParts& written) {
+        return parts.try_emplace(&written, &written, this).first->second;
+    }
+    void compile(Part& part);
+
+    std::map<const ExpressionParts*, Part> parts;
+    std::deque<TableCall> calls;
+    Part* whole = nullptr;
     double x = 0, y = 0, z = 0, t = 0;
+    bool conditional = false;
+    bool compiling = false;  // muParser compiles by evaluating somewhere
+    std::uint64_t evaluation = 0;
 };
 
-ExpressionParser::ExpressionParser(const std::string& text,
-                                   const std::map<std::string, double>& constants)
-    : implementation_(std::make_unique<Implementation>()) {
-    mu::Parser& parser = implementation_->parser;
+void ExpressionParser::Implementation::compile(Part& part) {
+    const ExpressionParts& written = *part.written;
+    part.parser = std::make_unique<mu::Parser>();
+    mu::Parser& parser = *part.parser;
+    std::string text;  // with variables as calls
+    std::vector<std::size_t> calls_at;
+    std::optional<ExpressionError> wrong;
+    std::size_t copied = 0;
+    for (const Identifier& name : scanExpression(written.text, wrong)) {
+        if (!written.variables.contains(name.name)) continue;
+        const std::size_t end = name.position + name.name.size();
+        text += written.text.substr(copied, end - copied) + "()";
+        calls_at.push_back(end);
+        copied = end;
+    }
+    text += written.text.substr(copied);
     try {
-        parser.ClearFun();
-        parser.ClearConst();
-        for (const Function& f : functions) parser.DefineFun(f.name, f.one);
-        parser.DefineFun("atan2", angle);
-        parser.DefineFun("min", smallest);
-        parser.DefineFun("max", largest);
-        parser.DefineConst("pi", std::numbers::pi);
-        parser.DefineConst("e", std::numbers::e);
-        for (const auto& [name, value] : constants) parser.DefineConst(name, value);
-        parser.DefineVar("x", &implementation_->x);
-        parser.DefineVar("y", &implementation_->y);
-        parser.DefineVar("z", &implementation_->z);
-        parser.DefineVar("t", &implementation_->t);
+        defineWords(parser);
+        for (const auto& [name, value] : written.constants) parser.DefineConst(name, value);
+        for (const auto& [name, variable] : written.variables)
+            parser.DefineFunUserData(name, &callVariable, &partOf(*variable));
+        for (const auto& [name, used] : written.tables)
+            parser.DefineFunUserData(name, &callTable, &calls.emplace_back(used, this));
+        parser.DefineVar("x", &x);
+        parser.DefineVar("y", &y);
+        parser.DefineVar("z", &z);
+        parser.DefineVar("t", &t);
         parser.EnableOptimizer(false);  // it would change the order of operations, and so the bits
         parser.SetExpr(text);
+        compiling = true;
         parser.Eval();
+        compiling = false;
     } catch (const mu::Parser::exception_type& e) {
-        throw ExpressionError{std::min<std::size_t>(e.GetPos(), text.size()), explain(e)};
+        std::size_t position = e.GetPos();
+        for (std::size_t k = calls_at.size(); k-- > 0;)
+            if (position > calls_at[k] + 2 * k) position -= std::min<std::size_t>(2, position);
+        throw ExpressionError{std::min(position, written.text.size()), explain(e)};
     }
+}
+
+ExpressionParser::ExpressionParser(const ExpressionParts& parts)
+    : implementation_(std::make_unique<Implementation>()) {
+    implementation_->whole = &implementation_->partOf(parts);
+    implementation_->conditional = parts.conditional;
+    implementation_->compile(*implementation_->whole);
 }
 
 ExpressionParser::~ExpressionParser() = default;
@@ -217,7 +298,8 @@ double ExpressionParser::evaluate(double x, double y, double z, double t) {
     implementation_->y = y;
     implementation_->z = z;
     implementation_->t = t;
-    return implementation_->parser.Eval();
+    ++implementation_->evaluation;
+    return implementation_->whole->parser->Eval();
 }
 
 }  // namespace sphinx::input

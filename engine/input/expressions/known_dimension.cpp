@@ -14,9 +14,8 @@ namespace {
 /// logic), it gives up: nothing is known then.
 class Walk {
  public:
-    Walk(std::string_view text, const std::function<KnownDimension(std::string_view)>& ofName,
-         std::optional<ExpressionError>& error)
-        : text_(text), of_name_(ofName), error_(error) {}
+    Walk(std::string_view text, const KnownNames& names, std::optional<ExpressionError>& error)
+        : text_(text), names_(names), error_(error) {}
 
     KnownDimension whole() {
         const KnownDimension result = sum();
@@ -91,9 +90,32 @@ class Walk {
             return std::nullopt;
         }
         const std::string_view name = word();
-        return accept('(') ? call(name) : of_name_(name);
+        return accept('(') ? call(name) : names_.dimension(name);
+    }
+    /// Of x, y, z or t, which stand for any dimension elsewhere, as the whole argument of a call.
+    KnownDimension ofField() {
+        const char field = peek();
+        const std::size_t next = text_.find_first_not_of(' ', at_ + 1);
+        if (field == '\0' || next == std::string_view::npos || text_[next] != ')') return {};
+        if (field == 't') return unit::time;
+        return field == 'x' || field == 'y' || field == 'z' ? KnownDimension(unit::length)
+                                                            : std::nullopt;
+    }
+    KnownDimension tableCall(const TabulatedFunction& table) {
+        const KnownDimension field = ofField();
+        const std::size_t position = at_;
+        const KnownDimension inside = sum();
+        const KnownDimension given = field ? field : inside;
+        const KnownDimension wanted = table.argumentDimension();
+        if (given && wanted && *given != *wanted && !error_)
+            error_ = ExpressionError{
+                position, fmt::format("the argument of {} is {} but must be {}", table.name(),
+                                      dimensionWords(*given), dimensionWords(*wanted))};
+        if (!accept(')')) given_up_ = true;
+        return table.valueDimension();
     }
     KnownDimension call(std::string_view function) {
+        if (const TabulatedFunction* table = names_.table(function)) return tableCall(*table);
         const std::size_t position = at_;
         KnownDimension common = sum();
         const bool compares = function == "min" || function == "max";
@@ -129,7 +151,7 @@ class Walk {
     }
 
     std::string_view text_;
-    const std::function<KnownDimension(std::string_view)>& of_name_;
+    const KnownNames& names_;
     std::optional<ExpressionError>& error_;
     std::size_t at_ = 0;
     bool given_up_ = false;
@@ -137,10 +159,13 @@ class Walk {
 
 }  // namespace
 
-KnownDimension knownDimension(std::string_view text,
-                              const std::function<KnownDimension(std::string_view)>& ofName,
+KnownDimension knownDimension(std::string_view text, const KnownNames& names,
                               std::optional<ExpressionError>& error) {
-    return Walk(text, ofName, error).whole();
+    return Walk(text, names, error).whole();
+}
+
+std::string dimensionWords(Dimension dimension) {
+    return dimension == unit::none ? "a plain number" : dimensionText(dimension);
 }
 
 }  // namespace sphinx::input

@@ -15,10 +15,20 @@ namespace sphinx::input {
 /// which stand for any dimension.
 using KnownDimension = std::optional<Dimension>;
 
-/// Dimension of an expression that muParser accepts, from those of its names (variables that were
-/// given with a unit). `error` where two known ones are added or compared that differ.
-KnownDimension knownDimension(std::string_view text,
-                              const std::function<KnownDimension(std::string_view)>& ofName,
+/// What is known of the names in an expression.
+struct KnownNames {
+    /// Of a variable that was given with a unit.
+    std::function<KnownDimension(std::string_view)> dimension;
+    /// nullptr when it is not the name of a table.
+    std::function<const TabulatedFunction*(std::string_view)> table;
+};
+
+/// Dimension of an expression that muParser accepts, from those of its names. `error` where two
+/// known ones are added or compared that differ, or the argument of a table has another one.
+KnownDimension knownDimension(std::string_view text, const KnownNames& names,
                               std::optional<ExpressionError>& error);
+
+/// "time", or "a plain number".
+std::string dimensionWords(Dimension dimension);
 
 }  // namespace sphinx::input

@@ -9,17 +9,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <filesystem>
 
 namespace sphinx::input {
 namespace {
-
-/// The file that a scalar names, relative to where the program runs.
-std::string shownName(const Node& node) {
-    return (std::filesystem::path(node.place.source->folder) / node.text)
-        .lexically_normal()
-        .string();
-}
 
 class TableType final : public TypeBase {
  public:
@@ -102,7 +94,7 @@ class TableType final : public TypeBase {
             return reader.error(node, e.what());
         }
         const std::size_t columns = columnCount(reader);
-        const std::string name = shownName(node);
+        const std::string name = shownFile(node);
         std::string_view rest = text;
         if (rest.starts_with(byte_order_mark)) rest.remove_prefix(byte_order_mark.size());
         for (int line = 1; !rest.empty(); ++line) {

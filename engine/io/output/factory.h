@@ -19,6 +19,14 @@
 
 namespace sphinx::io {
 
+/// An observer whose points move: with the material, or with a solid or a part of it.
+template <int Dim>
+struct Follower {
+    const bodies::Body<Dim>* observer;
+    const bodies::Body<Dim>* solid = nullptr;  ///< null: the material that the observer sees
+    const bodies::BodyPart<Dim>* part = nullptr;
+};
+
 /// What outputs are built from, once bodies and methods exist. Everything that it refers to lives
 /// as long as the outputs.
 template <int Dim>
@@ -32,8 +40,14 @@ struct OutputContext {
     std::function<Progress()> progress;    ///< called at writes only
     /// Those that the loop calls: they know the forces between fluids and solids.
     std::vector<const dynamics::Method*> methods;
-    /// Observers that follow the material (`follows: material`).
-    std::vector<const bodies::Body<Dim>*> followers;
+    std::vector<Follower<Dim>> followers;
+
+    /// nullptr where the points of the observer stay where they are.
+    const Follower<Dim>* follower(const bodies::Body<Dim>& observer) const {
+        for (const Follower<Dim>& one : followers)
+            if (one.observer == &observer) return &one;
+        return nullptr;
+    }
 };
 
 /// What Declaration::builder of Kind::output holds. The component is the entry of the case. Throws

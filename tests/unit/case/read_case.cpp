@@ -109,7 +109,7 @@ TEST_CASE("A case becomes plain data in case units") {
     CHECK(wall.spacing(c.resolution) == 2.5);
     CHECK(wall.parts.at(0).name == "tip");
     CHECK(c.findBody("gauge")->points.at(1).as<2>() == Vec<2>(100, 25));
-    CHECK(c.findBody("gauge")->follows == model::Follows::material);
+    CHECK(c.findBody("gauge")->follows.what == model::Follows::material);
     CHECK(c.findBody("sensor")->points.at(3).as<2>() == Vec<2>(400, 27.5));
     CHECK(c.findBody("tracers")->particles->points.at(1).as<2>() == Vec<2>(15, 20));
     CHECK(c.findBody("tracers")->particles->volumes == std::vector<double>{25, 25});

@@ -280,6 +280,67 @@ TEMPLATE_TEST_CASE_SIG("damping of the velocity: exact over any steps", "", ((in
         CHECK((velocity[i] - std::exp(-40 * 0.213) * before[i]).norm() < round_off);
 }
 
+TEMPLATE_TEST_CASE_SIG("damping of the velocity in a part of space", "", ((int Dim), Dim), 2, 3) {
+    Scene<Dim> scene;
+    Body<Dim>& body = scene.fluid("water", scene.box(Vec<Dim>::Zero(), Vec<Dim>::Ones()));
+    Vec<Dim> corner = Vec<Dim>::Constant(2);
+    corner[0] = 0.52;
+    scene.world.shapes["beach"] = sphinx::geometry::makeBox<Dim>(Vec<Dim>::Constant(-1), corner);
+    auto& velocity = body.particles.vector(fields::velocity);
+    auto& position = body.particles.position();
+    const Vec<Dim> v0 = Vec<Dim>::LinSpaced(Dim, 1, -2);
+    for (std::size_t i = 0; i < body.size(); ++i) velocity[i] = v0;
+    const auto isDamped = [](const Vec<Dim>& x) { return x[0] <= 0.52; };
+    const auto damping =
+        scene.method("type: force.velocity_damping, body: water, shape: beach, rate: '3*x + 2*t'");
+
+    SECTION("exact of a rate that is linear in time") {
+        double t = 0;
+        for (const double dt : {0.1, 0.3, 0.05}) {
+            damping.run({t, dt, 0});
+            t += dt;
+        }
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            const double lost = isDamped(position[i]) ? 3 * position[i][0] * t + t * t : 0;
+            CHECK((velocity[i] - std::exp(-lost) * v0).norm() < round_off);
+        }
+    }
+    SECTION("of the particles that are in it at the time") {
+        for (std::size_t i = 0; i < body.size(); ++i) position[i][0] = 1.2 - position[i][0];
+        damping.run({0, 0.1, 0});
+        for (std::size_t i = 0; i < body.size(); ++i)
+            CHECK((velocity[i] == v0) == !isDamped(position[i]));
+    }
+    SECTION("stable at any rate, and without energy from nothing") {
+        const auto strong =
+            scene.method("type: force.velocity_damping, body: water, rate: 1e9*(1 + sin(40*x))");
+        double before = 1e300;
+        for (const double dt : {1e-12, 1e-9, 1e-3, 10.0}) {
+            strong.run({0, dt, 0});
+            double energy = 0;
+            for (std::size_t i = 0; i < body.size(); ++i) energy += velocity[i].squaredNorm();
+            CHECK(energy <= before);
+            before = energy;
+        }
+        CHECK(before == 0);
+    }
+    SECTION("a rate below zero, or none, is an error with its place") {
+        const auto driven =
+            scene.method("type: force.velocity_damping, body: water, shape: beach, rate: 0.3 - x");
+        CHECK_THROWS_WITH(
+            driven.run({1, 0.5, 0}),
+            Catch::StartsWith("the rate of damping of water is -0.05 1/s at (0.35, "));
+        const auto early = scene.method("type: force.velocity_damping, body: water, rate: t - 2");
+        CHECK_THROWS_WITH(
+            early.run({1, 0.5, 0}),
+            Catch::StartsWith("the rate of damping of water is -0.75 1/s at (0.05, "));
+        // Outside of the shape it may be anything.
+        const auto right =
+            scene.method("type: force.velocity_damping, body: water, shape: beach, rate: 0.52 - x");
+        right.run({0, 0.1, 0});
+    }
+}
+
 TEST_CASE("the reaction of a body that is held is its weight") {
     const Vec<2> g(3, -10);
     Held block(Scene<2>().lattice(5, 0.1), {}, g);

@@ -151,9 +151,83 @@ TEST_CASE("Expressions of place and time") {
     CHECK(f.error("x + 1").find("initial values and profiles only") != std::string::npos);
 }
 
+TEST_CASE("Variables of place and time") {
+    Fixture f({{"T", "2 s"},
+               {"phase", "2*pi*t/T"},
+               {"ramp", "min(t/T, 1)"},
+               {"wave", "ramp*sin(phase - k*x)"},
+               {"k", "3"},
+               {"unused", "x*y"}});
+    REQUIRE(f.diagnostics.text().empty());
+    const FieldExpression field = f.field("2*wave + ramp");
+    CHECK(field.dependsOnTime());
+    CHECK(field.dependsOnPlace());
+    CHECK(!f.field("cos(phase)").dependsOnPlace());
+    CHECK(field.text() == "2*wave + ramp");
+    for (const double t : {0.0, 0.3, 5.0}) {
+        const double ramp = std::min(t / 2, 1.0);
+        const double wave = ramp * std::sin(2 * std::numbers::pi * t / 2 - 3 * 0.7);
+        CHECK(field(Vec<2>(0.7, 0), t) == 2 * wave + ramp);
+    }
+    // The resolved case needs them, and what they need.
+    const Node used = f.scope.usedByFields();
+    REQUIRE(used.entries.size() == 5);
+    CHECK(used.find("phase")->text == "2*pi*t/T");
+    CHECK(used.find("T")->text == "2");
+    CHECK(used.find("k")->text == "3");
+    CHECK(!used.find("unused"));
+
+    CHECK(f.error("phase") ==
+          "error: the variable 'phase' depends on t: it may be used in initial values and profiles "
+          "only\n");
+    CHECK(f.error("1 + 2*wave") ==
+          "error: the variable 'wave' depends on t and x (through 'phase'): it may be used in "
+          "initial values and profiles only\n");
+    Diagnostics own;
+    CHECK(!f.scope.field(Node::plain("k)*phase"), unit::none, "value", {}, 2, own));
+    CHECK(
+        !f.scope.field(Node::plain("phase + wave + phase phase"), unit::none, "value", {}, 2, own));
+    CHECK(!f.scope.field(Node::plain("phase + sin(wave, phase)"), unit::none, "value", {}, 2, own));
+    CHECK(own.errors() == 3);
+}
+
+TEST_CASE("Variables of place and time keep their dimension, and depend on no one's order") {
+    Fixture f({{"a", "b + L"}, {"b", "L*sin(t)"}, {"L", "2 m"}, {"c", "d*t"}, {"d", "c + 1"}});
+    CHECK(f.diagnostics.text().find("the variables depend on each other: c -> d -> c") !=
+          std::string::npos);
+    Diagnostics own;
+    CHECK(f.scope.field(Node::plain("a"), unit::length, "value", {}, 2, own));
+    CHECK(own.text().empty());
+    CHECK(!f.scope.field(Node::plain("L + a/t"), unit::length, "value", {}, 2, own) ==
+          own.errors());
+}
+
+TEST_CASE("A variable is worked out once, and only where the condition wants it") {
+    // Each doubles the one before: by copies of its text 2^60 terms.
+    std::vector<std::string> names, texts;
+    for (int k = 0; k < 60; ++k) {
+        names.push_back("v" + std::to_string(k));
+        texts.push_back(k == 0 ? "t" : names[k - 1] + "/2 + " + names[k - 1] + "/2");
+    }
+    Node map = Node::map();
+    for (int k = 0; k < 60; ++k) map.set(names[k], Node::plain(texts[k]));
+    map.set("root", Node::plain("1/(t - 1)"));
+    Scope scope;
+    Diagnostics diagnostics;
+    scope.define(map, {}, diagnostics, 2);
+    const auto last = scope.field(Node::plain("v59"), unit::none, "value", {}, 2, diagnostics);
+    REQUIRE(last);
+    CHECK((*last)(Vec<2>(0, 0), 0.75) == 0.75);
+    CHECK((*last)(Vec<2>(0, 0), 2) == 2);
+    const auto chosen =
+        scope.field(Node::plain("t == 1 ? 7 : root"), unit::none, "value", {}, 2, diagnostics);
+    CHECK((*chosen)(Vec<2>(0, 0), 1) == 7);
+    CHECK((*chosen)(Vec<2>(0, 0), 3) == 0.5);
+}
+
 TEST_CASE("Many threads evaluate one expression") {
-    Fixture f;
-    const FieldExpression field = f.field("x + 10*y");
+    Fixture f({{"ten", "10*y"}});
+    const FieldExpression field = f.field("x + ten");
     std::vector<int> wrong(4, 0);
     std::vector<std::thread> threads;
     for (int k = 0; k < 4; ++k)

@@ -190,7 +190,7 @@ TEST_CASE("what an observer cannot do is an error at its place", "[observe]") {
     const auto error = [&](const std::string& yaml, bool follows = false) {
         return errorOf([&] {
             io::OutputContext<2> context = outputContext(scene, folder.path());
-            if (follows) context.followers = {&probe};
+            if (follows) context.followers.emplace_back(&probe);
             Entry(yaml).make(context);
         });
     };

@@ -19,7 +19,7 @@ namespace {
 template <int Dim>
 struct Block : Scene<Dim> {
     bodies::Body<Dim>& water = this->fluid("water", this->box(Vec<Dim>::Zero(), Vec<Dim>::Ones()));
-    ReducedBody<Dim> reduced{&water, {}, {}};
+    ReducedBody<Dim> reduced{{&water}, {}, {}};
     particles::Field<Vec<Dim>>& x = water.particles.position();
     particles::Field<Vec<Dim>>& v = water.particles.vector(fields::velocity);
 };
@@ -162,4 +162,22 @@ TEST_CASE("reductions of a case are named and checked") {
     CHECK_THAT(error("{type: reduce, body: wall, quantity: force}"),
                StartsWith("case.yaml:1:22: error: there is no force on 'wall' to be summed: no "
                           "fluid that the loop moves sees it"));
+}
+
+TEST_CASE("sums over a part are those of its particles") {
+    Block<2> block;
+    for (std::size_t i = 0; i < block.water.size(); ++i) block.v[i] = Vec<2>(block.x[i][0], 1);
+    const auto part = block.part(block.water, "left", [](const Vec<2>& r) { return r[0] < 0.5; });
+    ReducedBody<2> left = block.reduced;
+    left.part = part.named();
+    REQUIRE(left.size() == block.water.size() / 2);
+    CHECK(rowOf(*mass(left))[0] == Approx(1));
+    CHECK(rowOf(*mass(left))[1] == 50);
+    CHECK(rowOf(*mass(left)).size() == 2);
+    CHECK(rowOf(*momentum(left))[0] == Approx(0.25));
+    CHECK(rowOf(*momentum(left))[1] == Approx(1));
+    CHECK(rowOf(*frontPosition(left, 0))[0] == Approx(0.45));
+    CHECK(rowOf(*maximumSpeed(left))[0] == Approx(std::hypot(0.45, 1)));
+    CHECK(rowOf(*kineticEnergy(left))[0] < rowOf(*kineticEnergy(block.reduced))[0] / 2);
+    CHECK(rowOf(*mechanicalEnergy(left))[0] == rowOf(*kineticEnergy(left))[0]);
 }

@@ -65,9 +65,14 @@ struct Tank : Scene<Dim> {
         context.methods = {acoustic->get(), viscous->get()};
         return context;
     }
+    ReducedBody<Dim> all(bodies::Body<Dim>& body) { return {{&body}, {}, {}, &this->relations}; }
+    ReducedBody<Dim> of(const dynamics::Part<Dim>& part) {
+        return {{&part.body(), part.named()}, {}, {}, &this->relations};
+    }
     /// Pressure and viscous force.
-    std::pair<Vec<Dim>, Vec<Dim>> forceOn(const bodies::Body<Dim>& body) {
-        const std::vector<double> row = rowOf(*makeForceSource(body, {}, outputs()));
+    std::pair<Vec<Dim>, Vec<Dim>> forceOn(bodies::Body<Dim>& body) { return forceOn(all(body)); }
+    std::pair<Vec<Dim>, Vec<Dim>> forceOn(const ReducedBody<Dim>& reduced) {
+        const std::vector<double> row = rowOf(*makeForceSource(reduced, outputs()));
         const Vec<Dim> pressure(row.data());
         const Vec<Dim> friction(row.data() + Dim);
         const Vec<Dim> both(row.data() + 2 * Dim);
@@ -99,7 +104,7 @@ TEMPLATE_TEST_CASE_SIG("solids get exactly what the fluid loses", "", ((int Dim)
     Vec<Dim> pressure = Vec<Dim>::Zero();
     Vec<Dim> friction = Vec<Dim>::Zero();
     double largest = 0;
-    for (const bodies::Body<Dim>* body : {tank.floor, tank.left, tank.right}) {
+    for (bodies::Body<Dim>* body : {tank.floor, tank.left, tank.right}) {
         const auto [a, b] = tank.forceOn(*body);
         pressure += a;
         friction += b;
@@ -121,7 +126,7 @@ TEST_CASE("friction on the walls is what viscosity takes from the fluid") {
     give(water, fields::velocity, [](const Vec<2>& x) { return Vec<2>(3 * x[1], 0.1); });
     water.particles.vector(fields::external_acceleration).setZero();
     Vec<2> friction = Vec<2>::Zero();
-    for (const bodies::Body<2>* body : {tank.floor, tank.left, tank.right})
+    for (bodies::Body<2>* body : {tank.floor, tank.left, tank.right})
         friction += tank.forceOn(*body).second;
     tank.viscous->run({});
     const Vec<2> gained = massTimes(water, fields::external_acceleration);
@@ -133,13 +138,65 @@ TEST_CASE("moments of water at rest are those of its forces at the middle of the
     Tank<2> tank(0.04);
     const double weight = tank.forceOn(*tank.floor).first[1];
     const auto momentAbout = [&](const Vec<2>& about) {
-        return rowOf(*makeForceSource<2>(*tank.floor, {}, tank.outputs(), about));
+        return rowOf(*makeForceSource<2>(tank.all(*tank.floor), tank.outputs(), about));
     };
     CHECK(std::abs(momentAbout(Vec<2>(0.5, 0))[0]) < 1e-12 * std::abs(weight));
     CHECK(momentAbout(Vec<2>(0, 0))[0] == Approx(0.5 * weight).epsilon(1e-12));
     // By pressure, by viscosity, both.
     CHECK(momentAbout(Vec<2>(0, 0))[1] == 0);
     CHECK(momentAbout(Vec<2>(0, 0))[2] == momentAbout(Vec<2>(0, 0))[0]);
+}
+
+TEMPLATE_TEST_CASE_SIG("forces and moments on parts of a wall are those on the wall", "",
+                       ((int Dim), Dim), 2, 3) {
+    Tank<Dim> tank(Dim == 2 ? 0.04 : 0.08);
+    bodies::Body<Dim>& water = *tank.water;
+    for (std::size_t i = 0; i < water.size(); ++i)
+        water.particles.vector(fields::velocity)[i] =
+            Vec<Dim>::LinSpaced(Dim, 1, -2) * std::sin(7.0 * i);
+    const auto isLow = [](const Vec<Dim>& r) { return r[Dim - 1] < 0.21; };
+    tank.addPart(*tank.left, "low", isLow);
+    tank.addPart(*tank.left, "high", [&](const auto& r) { return !isLow(r); });
+    tank.addPart(*tank.left, "none", [](const auto&) { return false; });
+    const auto low = tank.part("left.low");
+    const auto rowsOf = [&](const ReducedBody<Dim>& reduced) {
+        std::vector<double> all;
+        for (const auto& about :
+             {std::optional<Vec<Dim>>(), std::optional(Vec<Dim>(0.3 * Vec<Dim>::Ones()))})
+            for (const double value : rowOf(*makeForceSource(reduced, tank.outputs(), about)))
+                all.push_back(value);
+        return all;
+    };
+    const auto whole = rowsOf(tank.all(*tank.left));
+    const auto a = rowsOf(tank.of(low));
+    const auto b = rowsOf(tank.of(tank.part("left.high")));
+    const auto c = rowsOf(tank.of(tank.part("left.none")));
+    double largest = 0;
+    for (const double value : whole) largest = std::max(largest, std::abs(value));
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+        CHECK(std::abs(whole[k] - a[k] - b[k]) < 1e-12 * largest);
+        CHECK(c[k] == 0);
+    }
+    CHECK(std::abs(a[0]) > 1.2 * std::abs(b[0]));
+    // Sorted particles of the fluid are the same ones.
+    water.particles.permute(reversed(water));
+    ++water.version;
+    const auto again = rowsOf(tank.of(low));
+    for (std::size_t k = 0; k < whole.size(); ++k)
+        CHECK(std::abs(again[k] - a[k]) < 1e-12 * largest);
+}
+
+TEST_CASE("the water's pressure on a part of a wall") {
+    // Between the depths d1 and d2 rho g (d2^2 - d1^2)/2.
+    Tank<2> tank(0.01);
+    const auto part =
+        tank.part(*tank.left, "band", [](const Vec<2>& r) { return r[1] > 0.1 && r[1] < 0.3; });
+    const double expected = density * Tank<2>::g * (0.4 * 0.4 - 0.2 * 0.2) / 2;
+    const double found = -tank.forceOn(tank.of(part)).first[0];
+    CHECK(found == Approx(expected).epsilon(0.03));
+    // The kernel sums at a wall are too small by the same factor everywhere.
+    const double whole = density * Tank<2>::g * 0.5 * 0.5 / 2;
+    CHECK(found / -tank.forceOn(*tank.left).first[0] == Approx(expected / whole).epsilon(0.01));
 }
 
 TEST_CASE("moments by friction are those of the forces on the wall's particles") {
@@ -177,7 +234,7 @@ TEST_CASE("within an advection step the force is the one that the fluid feels") 
     }
     ++water.version;
     Vec<2> pressure = Vec<2>::Zero();
-    for (const bodies::Body<2>* body : {tank.floor, tank.left, tank.right})
+    for (bodies::Body<2>* body : {tank.floor, tank.left, tank.right})
         pressure += tank.forceOn(*body).first;
     const Vec<2> weight = massOf(water) * water.gravity();
     const Vec<2> before = massTimes(water, fields::velocity);
