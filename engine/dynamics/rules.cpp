@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/rules.h"
 
-#include "dynamics/multibody/parameters.h"
-
 #include <fmt/format.h>
 
 namespace sphinx::dynamics {
 
 bool WrittenCase::responds(std::string_view body) const {
-    if (multibody && multibody->carries(body)) return true;
+    if (std::ranges::find(carried, body) != carried.end()) return true;
     const auto material = materials.find(body);
     return material != materials.end() && material->second->declaration->hasTrait("elastic");
 }

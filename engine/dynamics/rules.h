@@ -40,6 +40,7 @@ struct WrittenCase {
     double start_time = 0;  ///< case units
     /// The block `multibody`, or null.
     const multibody::MultibodyParameters* multibody = nullptr;
+    std::vector<std::string> carried;  ///< rigid bodies of which that has particles
     Components methods;     ///< in the order of the case
     Components called;      ///< those of them that the loop calls: no others act
     std::vector<Layer> layers;

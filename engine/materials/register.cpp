@@ -4,11 +4,13 @@
 
 #include "materials/weakly_compressible_fluid.h"
 
+#include <optional>
+
 namespace sphinx::materials {
 namespace {
 
 struct RigidParameters {
-    double density = 1;
+    std::optional<double> density;
 };
 
 void declareRigid(input::Registry& registry) {
@@ -16,9 +18,10 @@ void declareRigid(input::Registry& registry) {
     auto& d = registry.declare<P>(input::Kind::material, "rigid");
     d.summary("Does not deform: walls and obstacles");
     d.trait("rigid");
-    d.optional("density", &P::density, input::number(unit::density).above(0), "density");
+    d.optional("density", &P::density, input::number(unit::density).above(0),
+               "density, where a mass follows from it: of a body that a mechanism moves");
     d.builder(MaterialBuilder{[](const void* p) -> std::shared_ptr<const Material> {
-        return std::make_shared<Rigid>(static_cast<const P*>(p)->density);
+        return std::make_shared<Rigid>(static_cast<const P*>(p)->density.value_or(0));
     }});
 }
 

@@ -51,6 +51,8 @@ class NameCheck {
             known_[Target::field].emplace_back(field->name);
         for (const auto& [target, key] : blocks)
             if (isSpoilt(root, key)) spoilt_.insert(target);
+        if (root.find("multibody") && !block.multibody)
+            spoilt_.insert({Target::rigid_body, Target::joint});
         for (const NamedBody& body : block.bodies)
             if (body.good) judgeBody(body);
     }

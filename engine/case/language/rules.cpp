@@ -23,12 +23,15 @@ void addLayer(const model::Case& model, const model::Layer& layer, dynamics::Wri
 
 dynamics::WrittenCase writtenCase(const model::Case& model, input::Diagnostics& diagnostics) {
     dynamics::WrittenCase written{
-        model.loop.start_time, model.multibody ? &*model.multibody : nullptr, {}, {}, {}, {}, {},
+        model.loop.start_time, model.multibody ? &*model.multibody : nullptr, {}, {}, {}, {}, {}, {},
         diagnostics};
     for (const input::Component& method : model.dynamics) {
         written.methods.push_back(&method);
         if (model.calls(method.name)) written.called.push_back(&method);
     }
+    for (const model::Body& body : model.bodies)
+        if (body.role == bodies::Role::wall && model.responds(body))
+            written.carried.push_back(body.name);
     addLayer(model, model.loop, written);
     for (const model::Sight& sight : model.topology)
         for (const model::Contact& contact : sight.sees)

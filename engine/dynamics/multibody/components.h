@@ -4,12 +4,9 @@
 
 #include "dynamics/multibody/mechanism.h"
 #include "dynamics/multibody/parameters.h"
+#include "input/declaration/registry.h"
 
 #include <string_view>
-
-namespace sphinx::input {
-class Registry;
-}
 
 namespace sphinx::dynamics::multibody {
 

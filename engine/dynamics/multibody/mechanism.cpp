@@ -36,6 +36,8 @@ SimTK::SpatialVec spatial(const Vector& moment, const Vector& force) {
     return {simtk(moment), simtk(force)};
 }
 
+std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 /// Force or moment on a coordinate as a function of time.
 class Motor final : public SimTK::Force::Custom::Implementation {
  public:
@@ -421,11 +423,17 @@ void Mechanism::Simbody::advance(double h) {
 
 Mechanism::Mechanism(MechanismDescription description, double time)
     : simbody_(std::make_unique<Simbody>(std::move(description))) {
+    const auto unmet = [] {
+        return MechanismError("no places of its joints meet the constraints");
+    };
     try {
         simbody_->build(time);
     } catch (const SimTK::Exception::Base& e) {
-        throw MechanismError(e.getMessageText());
+        if (simbody_->constrained) throw unmet();
+        throw MechanismError(firstLine(e.getMessageText()));
     }
+    // Lengths and angles, both of the size of one in case units of a sensible case.
+    if (!(constraintError() < 1e-6)) throw unmet();
 }
 Mechanism::~Mechanism() = default;
 
@@ -477,7 +485,7 @@ void Mechanism::step(double time, double dt, const std::vector<BodyLoad>& loads)
         s.now.setTime(time + dt);
         s.realize();
     } catch (const SimTK::Exception::Base& e) {
-        throw MechanismError(e.getMessageText());
+        throw MechanismError(firstLine(e.getMessageText()));
     }
 }
 

@@ -124,6 +124,31 @@ void requireBlock(const input::Component& method, WrittenCase& written) {
         written.diagnostics.error(method.place, "a multibody.step needs the block 'multibody'");
 }
 
+/// Whether two names are of the same particles, or one is the body of the other's part.
+bool overlap(const std::string& a, const std::string& b) {
+    const auto within = [](const std::string& part, const std::string& body) {
+        return part == body || part.substr(0, part.find('.')) == body;
+    };
+    return within(a, b) || within(b, a);
+}
+
+/// Particles that a mechanism moves follow nothing else.
+void checkAlone(const input::Component& method, WrittenCase& written) {
+    if (!written.multibody || !written.calls(method)) return;
+    for (const auto& [body, p] : written.multibody->bodies)
+        for (const input::Name& moved : p.particles)
+            for (const input::Component* other : written.called) {
+                if (!other->declaration->name().starts_with("constraint.")) continue;
+                for (const input::Name& held : other->references("part"))
+                    if (overlap(moved.text, held.text))
+                        written.diagnostics.error(
+                            other->placeOf("part"),
+                            fmt::format("{} is carried by {} of multibody: a {} cannot move it as "
+                                        "well",
+                                        held.text, body.text, other->declaration->name()));
+            }
+}
+
 }  // namespace
 
 void declareStep(input::Registry& registry) {
@@ -137,6 +162,7 @@ void declareStep(input::Registry& registry) {
     d.optional("parts", &P::parts, input::list(input::partReference({"elastic", "rigid"})),
                "what it moves; filled in: the particles of all bodies of multibody");
     d.rule(requireBlock);
+    d.rule(checkAlone);
     d.worldRule([](const auto& method, auto& built) { checkMechanism(method, built); });
     d.action(
          "rigid bodies: between the halves of their fluid's pressure relaxation; with parts of "
