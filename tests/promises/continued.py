@@ -13,6 +13,7 @@ CASES = ("splash_2d", "splash_3d",
          "channel_2d",   # periodic
          "gate_2d",      # elastic
          "strip_2d",     # elastic, with loads and motion
+         "raft_2d",      # a mechanism with rigid and elastic particles
          "clamped_3d")
 
 

@@ -39,6 +39,9 @@ class Threads(Promise):
         size = {"variables__spacing": 0.008, "variables__width": 0.4, "variables__length": 1.2}
         self.same_for_all_threads("strip_2d", {**size, "loop__end_time": 0.02}, "strip")
 
+    def test_mechanism(self):
+        self.same_for_all_threads("raft_2d", {"variables__spacing": 0.0125, "loop__end_time": 0.1})
+
     def test_elastic_3d(self):
         size = {"variables__spacing": 0.02, "variables__width": 0.3, "variables__length": 0.8}
         self.same_for_all_threads("clamped_3d", {**size, "loop__end_time": 0.02}, "beam")
