@@ -161,7 +161,8 @@ std::optional<FieldExpression> Scope::Evaluation::expression(const Node& node) {
     std::optional<ExpressionError> error;
     const std::vector<Identifier> identifiers = scanExpression(node.text, error);
     if (error) return fail(within(node, error->position), label + ": " + error->message);
-    ExpressionParts parts{.text = node.text};
+    ExpressionParts parts;
+    parts.text = node.text;
     parts.conditional = node.text.find('?') != std::string::npos;
     bool good = true;
     for (const Identifier& name : identifiers) {
