@@ -72,6 +72,8 @@ std::unique_ptr<io::SeriesSource> bodySource(const MechanismOwner& owner, const 
                           vector});
     quantities.push_back({"particle_moment", units.text(unit::energy),
                           "moment of this force about the centre", axial});
+    quantities.push_back({"particle_work", units.text(unit::energy),
+                          "work of both since the start", {}});
     return std::make_unique<ReduceSource>(std::move(quantities), [&owner, body](Row row) {
         const Mechanism& mechanism = *owner.mechanism();
         const auto motion = mechanism.motion(body);
@@ -86,7 +88,8 @@ std::unique_ptr<io::SeriesSource> bodySource(const MechanismOwner& owner, const 
         at = put<Dim>(at, motion.velocity.head<3>());
         at = putAxial<Dim>(at, motion.velocity.tail<3>());
         at = put<Dim>(at, received.head<3>());
-        putAxial<Dim>(at, received.tail<3>());
+        at = putAxial<Dim>(at, received.tail<3>());
+        *at = mechanism.work()[static_cast<std::size_t>(body)];
     });
 }
 

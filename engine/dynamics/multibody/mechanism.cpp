@@ -116,6 +116,10 @@ class GivenForce final : public SimTK::Force::Custom::Implementation {
     BodyForce given_;
 };
 
+Screw forceOf(const BodyLoad& load, const Screw& v) {
+    return load.force + load.answered - load.impedance * v;
+}
+
 /// What particles do to the bodies in a step.
 class ParticleLoads final : public SimTK::Force::Custom::Implementation {
  public:
@@ -129,8 +133,7 @@ class ParticleLoads final : public SimTK::Force::Custom::Implementation {
             const SimTK::SpatialVec V = bodies_[b].getBodyVelocity(state);
             Screw v;
             v << eigen(V[1]), eigen(V[0]);
-            const BodyLoad& load = loads_[b];
-            const Screw f = load.force + load.answered - load.impedance * v;
+            const Screw f = forceOf(loads_[b], v);
             forces[bodies_[b].getMobilizedBodyIndex()] += spatial(f.tail<3>(), f.head<3>());
         }
     }
@@ -195,6 +198,7 @@ struct Mechanism::Simbody {
     std::vector<SimTK::MobilizedBody> bodies;  // in the order of the description
     std::vector<BodyLoad> loads;
     std::vector<Screw> passed;
+    std::vector<double> work;
     SimTK::State now;
     int inner_steps = 0;
     double last_step = 0;
@@ -340,6 +344,7 @@ void Mechanism::Simbody::build(double time) {
     bodies.resize(description.bodies.size());
     loads.resize(bodies.size());
     passed.assign(bodies.size(), Screw::Zero());
+    work.assign(bodies.size(), 0);
     // A parent before its children.
     std::vector<bool> made(bodies.size(), false);
     for (std::size_t count = 0; count < description.joints.size();) {
@@ -411,8 +416,10 @@ void Mechanism::Simbody::advance(double h) {
         u_sum += weight[stage] * u_rate;
         for (std::size_t b = 0; b < bodies.size(); ++b) {
             const SimTK::SpatialVec V = bodies[b].getBodyVelocity(now);
-            passed[b].head<3>() += h * weight[stage] * eigen(V[1]);
-            passed[b].tail<3>() += h * weight[stage] * eigen(V[0]);
+            Screw v;
+            v << eigen(V[1]), eigen(V[0]);
+            passed[b] += h * weight[stage] * v;
+            work[b] += h * weight[stage] * forceOf(loads[b], v).dot(v);
         }
     }
     now.setTime(t + h);
@@ -493,10 +500,16 @@ int Mechanism::innerSteps() const { return simbody_->inner_steps; }
 
 Screw Mechanism::received(int body) const {
     const Simbody& s = *simbody_;
-    const BodyLoad& load = s.loads[Simbody::index(body)];
     if (s.last_step == 0) return Screw::Zero();
-    return load.force + load.answered -
-           load.impedance * s.passed[Simbody::index(body)] / s.last_step;
+    return forceOf(s.loads[Simbody::index(body)], s.passed[Simbody::index(body)] / s.last_step);
+}
+
+const std::vector<double>& Mechanism::work() const { return simbody_->work; }
+
+void Mechanism::setWork(const std::vector<double>& work) {
+    if (work.size() != simbody_->work.size())
+        throw MechanismError("the state is that of another mechanism");
+    simbody_->work = work;
 }
 
 BodyMotion Mechanism::motion(int body) const {

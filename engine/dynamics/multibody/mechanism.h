@@ -199,6 +199,9 @@ class Mechanism {
 
     /// Mean force and moment of the particles on a body in the last step, about its centre of mass.
     Screw received(int body) const;
+    /// Work of the particles on each body since the start; energy. State besides state().
+    const std::vector<double>& work() const;
+    void setWork(const std::vector<double>& work);
     /// At the end of the last step, or at the start.
     BodyMotion motion(int body) const;
     /// Value, rate and acceleration of a coordinate of a joint that has such.

@@ -118,8 +118,13 @@ void MovedPart<Dim>::setRigid(std::size_t i, const RigidBody& body, const BodyMo
 
 template <int Dim>
 void MovedPart<Dim>::place(const RigidBody& body, const BodyMotion& start) {
-    if (part_.body().isElastic()) return;
-    parallelFor(part_.size(), [&](std::size_t n) { setRigid(part_[n], body, start); });
+    const bool elastic = part_.body().isElastic();
+    parallelFor(part_.size(), [&](std::size_t n) {
+        const std::size_t i = part_[n];
+        if (!elastic) return setRigid(i, body, start);
+        const auto A = motionAt(inSpace<Dim>(position_[i]) - start.center);
+        velocity_[i] = Vector(A * start.velocity).template head<Dim>();
+    });
     ++part_.body().version;
 }
 
@@ -132,9 +137,9 @@ void MovedPart<Dim>::follow(const RigidBody& body, const BodyMotion& before,
         const std::size_t i = part_[n];
         if (elastic) {
             const Vec<Dim> end = placeOf(i, body, after);
-            const Vec<Dim> v = (end - placeOf(i, body, before)) / dt;
-            velocity_[i] = v;
-            position_[i] = end - 0.5 * dt * v;
+            const auto A = motionAt(inSpace<Dim>(end) - after.center);
+            velocity_[i] = Vector(A * after.velocity).template head<Dim>();
+            position_[i] = end - 0.5 * dt * velocity_[i];
             return;
         }
         if (slip_ && (*impedance_)[i].trace() > 0) {

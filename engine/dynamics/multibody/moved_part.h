@@ -17,7 +17,7 @@ class MovedPart {
     /// Once the particles are there.
     void prepare();
 
-    /// Rigid ones: where the joints put them at the start.
+    /// At the start: rigid ones where the joints put them, elastic ones with the velocity.
     void place(const RigidBody& body, const BodyMotion& start);
 
     std::size_t size() const { return part_.size(); }
@@ -26,8 +26,10 @@ class MovedPart {
     /// Z u. Of an elastic part the kick has been taken, v = v0 + a dt: f = m a + Z (v - u).
     void addLoad(const BodyMotion& motion, BodyLoad& load) const;
     /// Moves the particles as the body has moved in a step that began at `before`. Rigid ones get
-    /// place, velocity, acceleration and normal at its end. Elastic ones get the mean velocity and a
-    /// place from which the drift of their second half leads to the end.
+    /// place, velocity, acceleration and normal at its end. Elastic ones get
+    /// the velocity at its end, as a kick would give it, and a place from which the drift of their
+    /// second half leads to the end: so their deformation follows their places. (With the mean
+    /// velocity it would be half a step late, and energy is lost.)
     void follow(const RigidBody& body, const BodyMotion& before, const BodyMotion& after,
                 const Clock& clock);
 

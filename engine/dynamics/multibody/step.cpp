@@ -34,7 +34,8 @@ class Step final : public Method, public MechanismOwner {
     Context<Dim>* context_;
     std::vector<Moved> moved_;
     std::unique_ptr<Mechanism> mechanism_;  // once prepared
-    std::vector<double> state_;  // of a restart, until the mechanism is there
+    // Of a restart, until the mechanism is there.
+    std::vector<double> state_, work_;
     double time_ = 0;
 };
 
@@ -55,7 +56,10 @@ void Step<Dim>::prepare() {
     diagnostics.throwIfErrors();
     try {
         mechanism_ = std::make_unique<Mechanism>(std::move(description), time_);
-        if (!state_.empty()) mechanism_->setState(time_, state_);
+        if (!state_.empty()) {
+            mechanism_->setState(time_, state_);
+            mechanism_->setWork(work_);
+        }
     } catch (const MechanismError& e) {
         throw PhysicsError(fmt::format("the mechanism cannot be assembled: {}", e.what()));
     }
@@ -92,9 +96,13 @@ void Step<Dim>::run(const Clock& clock) {
 
 template <int Dim>
 void Step<Dim>::transfer(Archive& archive) {
-    if (mechanism_) state_ = mechanism_->state();
+    if (mechanism_) {
+        state_ = mechanism_->state();
+        work_ = mechanism_->work();
+    }
     archive.value("time", time_);
     archive.value("state", state_);
+    archive.value("work", work_);
 }
 
 template <int Dim>
