@@ -34,8 +34,9 @@ struct WrittenCase {
     };
 
     double start_time = 0;  ///< case units
-    Components methods;     ///< in the order of the case
-    Components called;      ///< those of them that the loop calls: no others act
+    double end_time = 0;
+    Components methods;  ///< in the order of the case
+    Components called;   ///< those of them that the loop calls: no others act
     std::vector<Layer> layers;
     std::vector<Sight> topology;
     std::map<std::string, const input::Component*, std::less<>> materials;  ///< by body

@@ -22,7 +22,8 @@ void addLayer(const model::Case& model, const model::Layer& layer, dynamics::Wri
 }  // namespace
 
 dynamics::WrittenCase writtenCase(const model::Case& model, input::Diagnostics& diagnostics) {
-    dynamics::WrittenCase written{model.loop.start_time, {}, {}, {}, {}, {}, diagnostics};
+    dynamics::WrittenCase written{
+        model.loop.start_time, model.loop.end_time, {}, {}, {}, {}, {}, diagnostics};
     for (const input::Component& method : model.dynamics) {
         written.methods.push_back(&method);
         if (model.calls(method.name)) written.called.push_back(&method);
