@@ -7,8 +7,10 @@
 #include "case/run/run.h"
 #include "case/run/show.h"
 #include "core/errors.h"
+#include "core/parallel.h"
 #include "input/declaration/describe.h"
 #include "input/declaration/schema.h"
+#include "input/expressions/decimal.h"
 #include "input/tree/suggest.h"
 
 #include <fcntl.h>
@@ -20,6 +22,7 @@
 #include <cstring>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -56,30 +59,54 @@ void show(const CommandLine& line, const input::Registry& registry) {
 }
 
 void check(const CommandLine& line, const input::Registry& registry) {
+    setThreadCount(line.run.threads);
     const run::CheckReport report =
         run::checkCase(language::readCase(line.case_file, line.overrides, registry));
     std::fputs(report.warnings.c_str(), stderr);
     print(report.text);
 }
 
-/// "3h", "90min", "45s" or plain seconds; throws CaseError.
-double readDuration(const std::string& text) {
-    std::size_t used = 0;
-    double value = -1;
-    try {
-        value = std::stod(text, &used);
-    } catch (const std::exception&) {
-        used = 0;
+/// Seconds of [DAYS-]HOURS:MINUTES:SECONDS, as batch systems write a limit.
+std::optional<double> readClockTime(std::string_view text) {
+    double days = 0;
+    if (const auto dash = text.find('-'); dash != text.npos) {
+        const auto read = input::parseDecimal<int>(text.substr(0, dash));
+        if (!read || *read < 0) return {};
+        days = *read;
+        text.remove_prefix(dash + 1);
     }
-    const std::string unit = text.substr(used);
-    const double factor = unit.empty() || unit == "s" ? 1
-                          : unit == "min"             ? 60
-                          : unit == "h"               ? 3600
-                                                      : 0;
-    if (used == 0 || factor == 0 || !(value > 0))
+    double seconds = 0;
+    for (int part = 0; part < 3; ++part) {
+        const std::size_t end = part < 2 ? text.find(':') : text.size();
+        if (end == text.npos) return {};
+        const auto read = input::parseDecimal<int>(text.substr(0, end));
+        if (!read || *read < 0 || (part > 0 && *read > 59)) return {};
+        seconds = 60 * seconds + *read;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return 86400 * days + seconds;
+}
+
+/// "3h", "90 min", "45s", "01:30:00" or plain seconds; throws CaseError.
+double readDuration(const std::string& text) {
+    double seconds = -1;
+    if (const auto clock = readClockTime(text)) {
+        seconds = *clock;
+    } else {
+        const std::size_t end = std::min(text.find_first_not_of("0123456789.+-eE"), text.size());
+        const std::size_t unit_begin = std::min(text.find_first_not_of(' ', end), text.size());
+        const std::string unit = text.substr(unit_begin);
+        const double factor = unit.empty() || unit == "s" ? 1
+                              : unit == "min"             ? 60
+                              : unit == "h"               ? 3600
+                              : unit == "d"               ? 86400
+                                                          : 0;
+        seconds = factor * input::parseDecimal<double>(text.substr(0, end)).value_or(-1);
+    }
+    if (!(seconds > 0))
         throw CaseError("error: --time-limit is '" + text +
-                        "' but must be a time like 3h, 90min or 45s");
-    return value * factor;
+                        "' but must be a time like 3h, 90min, 45s, 2d or 01:30:00");
+    return seconds;
 }
 
 int runVerb(CommandLine& line, const input::Registry& registry) {
@@ -95,6 +122,11 @@ void addCase(CLI::App& verb, CommandLine& line) {
         ->take_all()
         ->expected(1)
         ->type_name("PATH=VALUE");
+}
+
+void addThreads(CLI::App& verb, CommandLine& line) {
+    verb.add_option("--threads,-j", line.run.threads, "threads, else all of the machine")
+        ->check(CLI::Range(1, 4096));
 }
 
 /// The parser alone would ask for a verb without a word on the one that was written.
@@ -125,14 +157,14 @@ int runProgram(int argc, char** argv) {
 
     auto* run_verb = app.add_subcommand("run", "run a case");
     addCase(*run_verb, line);
-    run_verb->add_option("--output,-o", line.run.output, "results folder, else output/NAME");
-    run_verb->add_option("--threads,-j", line.run.threads, "threads, else all of the machine")
-        ->check(CLI::Range(1, 4096));
-    auto* resume = run_verb->add_flag("--resume", line.run.resume,
-                                      "go on from the newest restart in the results folder");
     const auto notEmpty = [](const std::string& text) {
         return std::string(text.empty() ? "an empty text is none" : "");
     };
+    run_verb->add_option("--output,-o", line.run.output, "results folder, else output/NAME")
+        ->check(notEmpty);
+    addThreads(*run_verb, line);
+    auto* resume = run_verb->add_flag("--resume", line.run.resume,
+                                      "go on from the newest restart in the results folder");
     auto* restart =
         run_verb
             ->add_option("--restart", line.run.restart, "start from the state in this restart file")
@@ -150,6 +182,7 @@ int runProgram(int argc, char** argv) {
 
     auto* check_verb = app.add_subcommand("check", "everything but stepping");
     addCase(*check_verb, line);
+    addThreads(*check_verb, line);
     check_verb->callback([&] { check(line, registry); });
 
     auto* show_verb =

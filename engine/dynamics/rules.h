@@ -38,11 +38,12 @@ struct WrittenCase {
     };
 
     double start_time = 0;  ///< case units
+    double end_time = 0;
     /// The block `multibody`, or null.
     const multibody::MultibodyParameters* multibody = nullptr;
     std::vector<std::string> carried;  ///< rigid bodies of which that has particles
-    Components methods;     ///< in the order of the case
-    Components called;      ///< those of them that the loop calls: no others act
+    Components methods;                ///< in the order of the case
+    Components called;                 ///< those of them that the loop calls: no others act
     std::vector<Layer> layers;
     std::vector<Sight> topology;
     std::map<std::string, const input::Component*, std::less<>> materials;  ///< by body

@@ -111,7 +111,8 @@ void registerOutputs(input::Registry& registry) {
         registry, "vtu", "Frames for ParaView: BODY_NNNNNN.vtu and one BODY.pvd a body");
     declareFrameFiles<VtkHdfOutput, NumberFrameSettings>(
         registry, "vtkhdf",
-        "Frames as one time series BODY.vtkhdf a body, for ParaView from 5.12 on");
+        "Frames as one time series BODY.vtkhdf a body, for ParaView from 5.12 on; while the run "
+        "writes it, look at a copy: readers of VTK may fail on a file that grows");
     declareHdf5(registry);
     declareFrameFiles<TecplotOutput, FrameSettings>(registry, "tecplot",
                                                     "Frames as Tecplot text: BODY_NNNNNN.dat");

@@ -27,9 +27,15 @@ WRONG = {
     "run CASE --resume --overwrite": "--resume excludes --overwrite",
     "run CASE --resume --restart some.xml": "--resume excludes --restart",
     "run CASE --time-limit soon":
-        "error: --time-limit is 'soon' but must be a time like 3h, 90min or 45s",
+        "error: --time-limit is 'soon' but must be a time like 3h, 90min, 45s, 2d or 01:30:00",
     "run CASE --time-limit -3h":
-        "error: --time-limit is '-3h' but must be a time like 3h, 90min or 45s",
+        "error: --time-limit is '-3h' but must be a time like 3h, 90min, 45s, 2d or 01:30:00",
+    "run CASE --time-limit inf":
+        "error: --time-limit is 'inf' but must be a time like 3h, 90min, 45s, 2d or 01:30:00",
+    "run CASE --time-limit 1:75:00":
+        "error: --time-limit is '1:75:00' but must be a time like 3h, 90min, 45s, 2d or 01:30:00",
+    "run CASE --output EMPTY": "--output: an empty text is none",
+    "check CASE --threads 0": "--threads: Value 0 not in range 1 to 4096",
     "run CASE --restart EMPTY": "--restart: an empty text is none",
     "run CASE --time-limit EMPTY": "--time-limit: an empty text is none",
     "run CASE --set include=[other.yaml]":

@@ -101,6 +101,12 @@ class Stopped(Promise):
         self.assert_same_physics(last_restart(parts), last_restart(whole))
         self.assertEqual(results.differences(whole, parts), [])
 
+    def test_time_limit_as_batch_systems_write_it(self):
+        for limit in ("1-00:00:00", "01:30:00", "90 min", "2d"):
+            said = self.sphinx(self.case_file, self.folder / "out", "--overwrite", "--time-limit", limit, "--set",
+                               "loop.end_time=0.01")
+            self.assertIn("done at time", said)
+
     def test_a_case_without_restarts_is_kept_as_well(self):
         case = self.case("splash_2d", **CHANGES, outputs={})
         said = self.sphinx(case, self.folder / "out", "--time-limit", "1e-9s")

@@ -7,6 +7,7 @@
 #include "case/build/initial_values.h"
 #include "loop/flow/check.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 
 namespace sphinx::build {
@@ -45,6 +46,11 @@ class FactsMaker {
             }
         }
         facts.makers = fieldMakers(*model_.registry);
+        facts.remedies.emplace(
+            fields::external_acceleration.name,
+            fmt::format("call a force.gravity first, with acceleration: {} where there is "
+                        "no gravity",
+                        model_.dimension == 2 ? "[0, 0]" : "[0, 0, 0]"));
         facts.time_unit = model_.units.suffix(unit::time);
         facts.plan.start_time = model_.loop.start_time;
         facts.plan.end_time = model_.loop.end_time;

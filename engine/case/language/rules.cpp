@@ -22,9 +22,16 @@ void addLayer(const model::Case& model, const model::Layer& layer, dynamics::Wri
 }  // namespace
 
 dynamics::WrittenCase writtenCase(const model::Case& model, input::Diagnostics& diagnostics) {
-    dynamics::WrittenCase written{
-        model.loop.start_time, model.multibody ? &*model.multibody : nullptr, {}, {}, {}, {}, {}, {},
-        diagnostics};
+    dynamics::WrittenCase written{.start_time = model.loop.start_time,
+                                  .end_time = model.loop.end_time,
+                                  .multibody = model.multibody ? &*model.multibody : nullptr,
+                                  .carried = {},
+                                  .methods = {},
+                                  .called = {},
+                                  .layers = {},
+                                  .topology = {},
+                                  .materials = {},
+                                  .diagnostics = diagnostics};
     for (const input::Component& method : model.dynamics) {
         written.methods.push_back(&method);
         if (model.calls(method.name)) written.called.push_back(&method);

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 namespace sphinx::dynamics::constraint {
 namespace {
@@ -244,6 +245,54 @@ void checkStart(const input::Component& method, BuiltCase<Dim>& built) {
     }
 }
 
+/// Of a rigid body that a fluid sees: where it goes out of the domain it takes the fluid along.
+/// Looked at in some of its particles, at some times.
+template <int Dim>
+void checkStaysInside(const input::Component& method, BuiltCase<Dim>& built) {
+    constexpr int times = 100;
+    constexpr std::size_t most_particles = 1000;
+    const auto& p = method.as<PrescribedMotionParameters>();
+    const ConstPart<Dim> part(built.world, p.part);
+    const Body<Dim>& body = part.body();
+    const bool seen = std::ranges::any_of(built.world.bodies, [&](const auto& other) {
+        return other->isFluid() && built.sees(other->name, body.name);
+    });
+    if (!body.isWall() || !seen || !built.calls(method)) return;
+    Box<Dim> bounds = built.world.domain.bounds;
+    for (int k = 0; k < Dim; ++k)
+        if (built.world.domain.periodic[k]) {
+            bounds.lower[k] = -std::numeric_limits<double>::max();
+            bounds.upper[k] = std::numeric_limits<double>::max();
+        }
+    const Motion<Dim> motion = p.motion<Dim>();
+    const auto& position = body.particles.position();
+    const std::size_t stride = part.size() / most_particles + 1;
+    for (int k = 1; k <= times; ++k) {
+        const double time = built.start_time + (built.end_time - built.start_time) * k / times;
+        const auto displacement = motion.at(time);
+        for (std::size_t n = 0; n < part.size(); n += stride) {
+            const Vec<Dim>& start = position[part[n]];
+            Vec<Dim> place = start;
+            for (int c = 0; c < Dim; ++c)
+                if (p.directions.empty() ||
+                    std::ranges::find(p.directions, c) != p.directions.end())
+                    place[c] += displacement(start, c);
+            if (!bounds.contains(start) || bounds.contains(place) || !place.allFinite()) continue;
+            built.diagnostics.warning(
+                method.place,
+                fmt::format("{} carries {} out of the domain, which reaches from {} to {}: a "
+                            "particle that begins at {} is at {} at time {}; fluid that goes with "
+                            "it is lost. Enlarge 'domain'",
+                            method.name, body.name,
+                            built.world.placeText(built.world.domain.bounds.lower),
+                            built.world.placeText(built.world.domain.bounds.upper),
+                            built.world.placeText(start), built.world.placeText(place),
+                            built.world.quantityText(time, unit::time)));
+            return;
+        }
+    }
+}
+
 bool dependsOnPlace(const std::vector<input::FieldExpression>& expressions) {
     return std::ranges::any_of(expressions, [](const auto& e) { return e.dependsOnPlace(); });
 }
@@ -306,7 +355,10 @@ void declarePrescribedMotion(input::Registry& registry) {
     d.optional("directions", &P::directions, input::axes(),
                "axes along which the motion is prescribed; without: all");
     d.check("", [](const P& p) { return p.violation(); });
-    d.worldRule([](const auto& method, auto& built) { checkStart(method, built); });
+    d.worldRule([](const auto& method, auto& built) {
+        checkStart(method, built);
+        if (!built.diagnostics.hasErrors()) checkStaysInside(method, built);
+    });
     d.action(
          "elastic: between the halves of the step; rigid: before the fluid's step, whose "
          "neighbors are stale from then on")

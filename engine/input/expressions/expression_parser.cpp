@@ -114,8 +114,11 @@ std::vector<Identifier> scanExpression(std::string_view text,
         if (isDigit(c) || c == '.') {
             const std::size_t begin = k;
             k = endOfNumber(text, k);
-            if ((k < text.size() && isWord(text[k])) ||
-                !parseDecimal<double>(text.substr(begin, k - begin)))
+            const std::string_view number = text.substr(begin, k - begin);
+            if (isBeyondRange(number) && (k == text.size() || !isWord(text[k])))
+                return fail(begin, "'" + std::string(number) +
+                                       "' is beyond the range of numbers, 1e-307 to 1e308");
+            if ((k < text.size() && isWord(text[k])) || !parseDecimal<double>(number))
                 return fail(begin, "'" + wordAt(text, begin) + "' is not a number");
             continue;
         }

@@ -141,14 +141,31 @@ std::optional<Unit> parseUnit(std::string_view text) {
 
 namespace {
 
-/// "1 kg / m3" as it should be written: kg/m^3.
+/// "1 kg / m3" and "kg m^-3" as they should be written: kg/m^3.
 std::string tidyUnit(std::string_view text) {
     std::string tidy;
-    for (const char c : text) {
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const char c = text[k];
         const bool digit = c >= '0' && c <= '9';
-        if (c == ' ' || (digit && tidy.empty())) continue;
+        if (digit && tidy.empty()) continue;
+        if (c == ' ') {
+            // Between two factors it stands for a product.
+            const std::size_t next = text.find_first_not_of(' ', k);
+            if (next != text.npos && isLetter(text[next]) && !tidy.empty() && tidy.back() != '*' &&
+                tidy.back() != '/')
+                tidy += '*';
+            continue;
+        }
         if (digit && isLetter(tidy.back())) tidy += '^';
         tidy += c;
+    }
+    // m^-3 behind a product is a quotient.
+    for (std::size_t minus; (minus = tidy.find("^-")) != tidy.npos;) {
+        const std::size_t factor = tidy.rfind('*', minus);
+        if (factor == tidy.npos) break;
+        tidy.erase(minus + 1, 1);
+        if (tidy.substr(minus, 2) == "^1") tidy.erase(minus, 2);
+        tidy[factor] = '/';
     }
     return tidy;
 }

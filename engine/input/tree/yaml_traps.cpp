@@ -66,13 +66,15 @@ bool checkText(const std::shared_ptr<const Source>& source, std::string_view tex
                               std::to_string(longest_line) +
                               " are read (put long lists into files)");
         bool indentation = true;
-        for (std::size_t k = begin; k < end;) {
+        int column = 1;  // in characters
+        for (std::size_t k = begin; k < end; ++column) {
             const std::size_t length = characterLength(text.substr(k, end - k));
             const char c = text[k];
             if (length == 0)
-                return refuse(
-                    -offset.line, 0,
-                    "this is not a text file: byte " + std::to_string(k) + " is not UTF-8 text");
+                return refuse(-offset.line, 0,
+                              "this is not a text file: byte " + std::to_string(k) + " (line " +
+                                  std::to_string(line) + ", column " + std::to_string(column) +
+                                  ") is not UTF-8 text");
             if (c == '\t' && indentation)
                 return refuse(line, k - begin, "a tab in the indentation; YAML wants blanks");
             indentation = indentation && c == ' ';

@@ -55,6 +55,10 @@ OutputFolder::OutputFolder(const Path& path, ExistingResults existing) : path_(p
         const bool empty = std::filesystem::is_empty(path, error);
         if (error) throw FileError("cannot read " + path.string() + ": " + error.message());
         if (empty || existing == ExistingResults::keep) return;
+        if (existing == ExistingResults::refuse && !isOurs(path))
+            throw FileError(path.string() +
+                            " is not empty and holds no results of sphinx; --output DIR writes "
+                            "elsewhere");
         if (existing == ExistingResults::refuse)
             throw FileError(path.string() +
                             " holds results already; --resume goes on with them, --overwrite "

@@ -105,9 +105,10 @@ class FieldCheck {
                 "{} reads {}, which {} only updates: call a method that computes it "
                 "first",
                 reader.label, what, writers.updates->label);
-        return fmt::format(
-            "{} reads {}, which nothing writes: call a method that computes it first", reader.label,
-            what);
+        const auto remedy = facts_.remedies.find(key.second);
+        return fmt::format("{} reads {}, which nothing writes: {}", reader.label, what,
+                           remedy == facts_.remedies.end() ? "call a method that computes it first"
+                                                           : remedy->second);
     }
 
     const LoopFacts& facts_;

@@ -4,6 +4,7 @@
 
 #include "loop/plan/plan.h"
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ struct LoopFacts {
     std::vector<ListFacts> lists;
     std::string time_unit;  ///< behind times in messages: " ms"
     std::vector<FieldMaker> makers;
+    /// What to do where nothing writes a field that methods add to.
+    std::map<std::string, std::string> remedies;
 };
 
 }  // namespace sphinx::loop

@@ -51,7 +51,8 @@ TEST_CASE("Numbers are decimal") {
     CHECK(f.value("+3") == 3);
     CHECK(f.value("1e-3") == 1e-3);
     CHECK(f.value("2.") == 2);
-    CHECK(f.error("1e999") == "error: value: '1e999' is not a number\n");
+    CHECK(f.error("1e999") ==
+          "error: value: '1e999' is beyond the range of numbers, 1e-307 to 1e308\n");
     CHECK(f.error("0x1F") == "error: value: '0x1F' is not a number\n");
     CHECK(f.error("1_000") == "error: value: '1_000' is not a number\n");
     CHECK(f.error("nan") == "error: there is no variable 'nan'; the case defines no variables\n");

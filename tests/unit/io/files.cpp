@@ -69,7 +69,7 @@ TEST_CASE("a results folder is never overwritten silently") {
     OutputFolder(path, ExistingResults::refuse);  // still empty
     File::create(path / "notes").write("mine");
     CHECK_THROWS_WITH(OutputFolder(path, ExistingResults::refuse),
-                      Catch::Contains("holds results already"));
+                      Catch::Contains("is not empty and holds no results of sphinx"));
     CHECK_THROWS_WITH(OutputFolder(path, ExistingResults::replace),
                       Catch::Contains("is not a folder of results"));
     OutputFolder(path, ExistingResults::keep);
