@@ -4,7 +4,6 @@
 
 #include "dynamics/words.h"
 
-
 namespace sphinx::dynamics {
 
 namespace multibody {
@@ -26,7 +25,6 @@ struct Context {
     /// The block `multibody` of the case, or null.
     const multibody::MultibodyParameters* multibody = nullptr;
     double start_time = 0;
-
 };
 
 }  // namespace sphinx::dynamics

@@ -59,10 +59,8 @@ std::unique_ptr<io::SeriesSource> bodySource(const MechanismOwner& owner, const 
     if (Dim == 2)
         quantities.push_back({"angle", "", "by which it has turned, from -pi to pi", {}});
     else
-        quantities.push_back({"rotation",
-                              "",
-                              "quaternion of the turn from the drawing",
-                              {"w", "x", "y", "z"}});
+        quantities.push_back(
+            {"rotation", "", "quaternion of the turn from the drawing", {"w", "x", "y", "z"}});
     quantities.push_back({"velocity", units.text(unit::velocity), "of the centre", vector});
     quantities.push_back(
         {"angular_velocity", units.text(unit::frequency), "angular velocity", axial});
@@ -72,8 +70,8 @@ std::unique_ptr<io::SeriesSource> bodySource(const MechanismOwner& owner, const 
                           vector});
     quantities.push_back({"particle_moment", units.text(unit::energy),
                           "moment of this force about the centre", axial});
-    quantities.push_back({"particle_work", units.text(unit::energy),
-                          "work of both since the start", {}});
+    quantities.push_back(
+        {"particle_work", units.text(unit::energy), "work of both since the start", {}});
     return std::make_unique<ReduceSource>(std::move(quantities), [&owner, body](Row row) {
         const Mechanism& mechanism = *owner.mechanism();
         const auto motion = mechanism.motion(body);
@@ -128,11 +126,10 @@ std::unique_ptr<io::SeriesSource> jointSource(const MechanismOwner& owner, const
 std::unique_ptr<io::SeriesSource> energySource(const MechanismOwner& owner,
                                                const input::UnitSystem& units) {
     const std::string unit = units.text(unit::energy);
-    std::vector<io::SeriesQuantity> quantities{
-        {"kinetic", unit, "of all bodies", {}},
-        {"potential", unit, "-sum m g . x", {}},
-        {"springs", unit, "of springs, ropes and stops", {}},
-        {"total", unit, "their sum", {}}};
+    std::vector<io::SeriesQuantity> quantities{{"kinetic", unit, "of all bodies", {}},
+                                               {"potential", unit, "-sum m g . x", {}},
+                                               {"springs", unit, "of springs, ropes and stops", {}},
+                                               {"total", unit, "their sum", {}}};
     return std::make_unique<ReduceSource>(std::move(quantities), [&owner](Row row) {
         const auto energy = owner.mechanism()->energy();
         row[0] = energy.kinetic;

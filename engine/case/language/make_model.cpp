@@ -79,8 +79,7 @@ void fillParts(const dynamics::multibody::MultibodyParameters& multibody,
         if (!method.find<Parameters>()) continue;
         auto filled = std::make_shared<Parameters>();
         for (const auto& [name, body] : multibody.bodies)
-            filled->parts.insert(filled->parts.end(), body.particles.begin(),
-                                 body.particles.end());
+            filled->parts.insert(filled->parts.end(), body.particles.begin(), body.particles.end());
         method.parameters = std::move(filled);
     }
 }

@@ -108,13 +108,11 @@ class NameCheck {
         std::string message, hint;
         std::vector<Place> places;
     };
-    static constexpr std::pair<Target, const char*> blocks[] = {{Target::body, "bodies"},
-                                                                {Target::material, "materials"},
-                                                                {Target::shape, "geometry"},
-                                                                {Target::method, "dynamics"},
-                                                                {Target::layer, "loop"},
-                                                                {Target::rigid_body, "multibody"},
-                                                                {Target::joint, "multibody"}};
+    static constexpr std::pair<Target, const char*> blocks[] = {
+        {Target::body, "bodies"},    {Target::material, "materials"},
+        {Target::shape, "geometry"}, {Target::method, "dynamics"},
+        {Target::layer, "loop"},     {Target::rigid_body, "multibody"},
+        {Target::joint, "multibody"}};
 
     /// The block could not be read, for which there is a message: what it defines is not known.
     bool isSpoilt(const Node& root, const std::string& block) const {

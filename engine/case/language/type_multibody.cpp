@@ -12,8 +12,9 @@ void declareMultibody(Registry& registry) {
     {
         using P = BodyParameters;
         auto& d = registry.declare<P>(Kind::block, "multibody.bodies");
-        d.summary("A rigid body of the mechanism; its mass, centre and inertia are those of its "
-                  "particles where none are given");
+        d.summary(
+            "A rigid body of the mechanism; its mass, centre and inertia are those of its "
+            "particles where none are given");
         d.optional("particles", &P::particles, list(partReference({"elastic", "rigid"})),
                    "bodies and parts of bodies that it carries along");
         d.optional("mass", &P::mass, number(unit::mass).above(0),
@@ -30,13 +31,14 @@ void declareMultibody(Registry& registry) {
     }
     using P = MultibodyParameters;
     auto& d = registry.declare<P>(Kind::block, "multibody");
-    d.summary("Rigid bodies, joints and what acts on them; moved by multibody.step. The drawing is "
-              "the place of all bodies at which the coordinates of all joints are zero");
+    d.summary(
+        "Rigid bodies, joints and what acts on them; moved by multibody.step. The drawing is "
+        "the place of all bodies at which the coordinates of all joints are zero");
     d.optional("gravity", &P::gravity, coordinates(unit::acceleration),
                "acceleration of all its bodies");
     d.required("bodies", &P::bodies,
-               mapOf(newName(), structure<BodyParameters>(
-                                    *registry.find(Kind::block, "multibody.bodies"))),
+               mapOf(newName(),
+                     structure<BodyParameters>(*registry.find(Kind::block, "multibody.bodies"))),
                "named bodies");
     d.optional("joints", &P::joints, components(Kind::joint),
                "named joints: a tree that begins at ground; a body in none is free");

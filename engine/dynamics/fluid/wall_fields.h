@@ -9,8 +9,9 @@ namespace sphinx::dynamics::fluid {
 /// What a fluid sees of a solid. A solid that answers to forces (elastic, or of a mechanism) makes
 /// several steps in one of the fluid: its velocity is averaged over them (fsi.average_kinematics).
 /// Its acceleration is left out of the ghost pressure: what the fluid felt of it would push the
-/// solid a step later, and a stiff plate under water (cases/hydrostatic_plate_fsi_2d) then swings up
-/// at any step. That is an error of rho a r/2 in the pressure on it, of first order in the spacing.
+/// solid a step later, and a stiff plate under water (cases/hydrostatic_plate_fsi_2d) then swings
+/// up at any step. That is an error of rho a r/2 in the pressure on it, of first order in the
+/// spacing.
 ///
 /// Pressure pushes along the line of the two particles. Only if the density of the fluid counts the
 /// motion against the solid along the same line is the work on the solid taken from the fluid: so
@@ -33,7 +34,8 @@ struct WallFields {
     const Field<double>* volume;
     const Field<Vec<Dim>>* slip;  ///< null: it makes no steps of its own
 
-    explicit WallFields(Body<Dim>& solid) : responds(solid.responds()), along_line{solid.responds(), solid.isElastic()} {
+    explicit WallFields(Body<Dim>& solid)
+        : responds(solid.responds()), along_line{solid.responds(), solid.isElastic()} {
         ParticleSet<Dim>& p = solid.particles;
         velocity = &p.vector(responds ? fields::average_velocity : fields::velocity);
         acceleration = responds ? nullptr : &p.vector(fields::acceleration);

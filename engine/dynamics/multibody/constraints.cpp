@@ -23,8 +23,8 @@ struct CouplerParameters {
 }  // namespace
 
 void declareConstraints(input::Registry& registry) {
-    const auto point = input::structure<PointParameters>(
-        *registry.find(input::Kind::block, "multibody.point"));
+    const auto point =
+        input::structure<PointParameters>(*registry.find(input::Kind::block, "multibody.point"));
     {
         using P = TwoPointsParameters;
         auto& d = registry.declare<P>(input::Kind::multibody_constraint, "rod");
@@ -62,9 +62,8 @@ void declareConstraints(input::Registry& registry) {
         d.required("point", &P::point, point, "what stays on it");
         d.builder(AddComponent([](const input::Component& c, Assembly& assembly) {
             const P& p = c.as<P>();
-            assembly.mechanism.points_on_lines.push_back({assembly.point(p.line),
-                                                          vectorOf(p.along).normalized(),
-                                                          assembly.point(p.point)});
+            assembly.mechanism.points_on_lines.push_back(
+                {assembly.point(p.line), vectorOf(p.along).normalized(), assembly.point(p.point)});
         }));
     }
     {

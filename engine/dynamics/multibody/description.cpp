@@ -98,8 +98,8 @@ void Describer::bodies(const World<Dim>& world) {
         } else if (p.inertia.empty() && own.mass > 0) {
             body.inertia = own.inertia * (body.mass / own.mass);
         } else if (p.inertia.empty()) {
-            report(name.place, fmt::format("{} has no particles with a mass: give its inertia",
-                                           name.text));
+            report(name.place,
+                   fmt::format("{} has no particles with a mass: give its inertia", name.text));
         } else if (giveInertia(name, p, body) && !isPhysical(body.inertia)) {
             report(name.place,
                    fmt::format("no body has the inertia of {}: principal moments are above 0, and "
@@ -134,7 +134,8 @@ Matrix Describer::frame(const Component& component, const JointParameters& p, Jo
     const bool about_z = kind == JointKind::pin || kind == JointKind::cylinder ||
                          kind == JointKind::screw || kind == JointKind::planar;
     if (dimension_ == 2 && about_z) {
-        if (p.axis) report(component.placeOf("axis"), "in 2D joints turn about z: 'axis' is for 3D");
+        if (p.axis)
+            report(component.placeOf("axis"), "in 2D joints turn about z: 'axis' is for 3D");
         return Matrix::Identity();
     }
     const auto direction = [&](const char* name,
@@ -328,9 +329,7 @@ Vector vectorOf(const input::Coordinates& a) {
 }
 
 FunctionOfTime functionOfTime(const input::FieldExpression& expression) {
-    return [expression](double t) {
-        return expression.operator()<2>(Vec<2>(Vec<2>::Zero()), t);
-    };
+    return [expression](double t) { return expression.operator()<2>(Vec<2>(Vec<2>::Zero()), t); };
 }
 
 template <int Dim>

@@ -42,8 +42,8 @@ void declarePoint(input::Registry& registry) {
 
 void declareSpring(input::Registry& registry) {
     using P = SpringForceParameters;
-    const auto point = input::structure<PointParameters>(
-        *registry.find(input::Kind::block, "multibody.point"));
+    const auto point =
+        input::structure<PointParameters>(*registry.find(input::Kind::block, "multibody.point"));
     auto& d = registry.declare<P>(input::Kind::multibody_force, "linear_spring");
     d.summary("Spring and damper between two points, or a rope");
     d.formula("F = k (L - L0) + d dL/dt along the line of both points");
@@ -80,9 +80,8 @@ void declareGivenForce(input::Registry& registry) {
     d.builder(AddComponent([](const input::Component& c, Assembly& assembly) {
         const P& p = c.as<P>();
         const int body = assembly.body(p.body);
-        const Vector at =
-            p.at ? vectorOf(*p.at)
-                 : assembly.mechanism.bodies[static_cast<std::size_t>(body)].center;
+        const Vector at = p.at ? vectorOf(*p.at)
+                               : assembly.mechanism.bodies[static_cast<std::size_t>(body)].center;
         assembly.mechanism.forces.push_back(
             {{body, at}, threeOf(p.force, false), threeOf(p.moment, p.moment.size() == 1)});
     }));

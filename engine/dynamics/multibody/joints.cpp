@@ -41,8 +41,7 @@ void declareBlocks(input::Registry& registry, const OneCoordinate& c) {
     limits.required("upper", &LimitsParameters::upper, input::number(c.value),
                     "largest coordinate");
     limits.required("stiffness", &LimitsParameters::stiffness,
-                    input::number(c.effort / c.value).above(0),
-                    "k: how far the stop gives way");
+                    input::number(c.effort / c.value).above(0), "k: how far the stop gives way");
     limits.optional("dissipation", &LimitsParameters::dissipation,
                     input::number(unit::time / c.value).atLeast(0),
                     "d: 0 is a stop that loses no energy");

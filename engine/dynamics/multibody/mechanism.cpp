@@ -220,8 +220,7 @@ struct Mechanism::Simbody {
     void build(double time);
     void addBody(const Joint& joint);
     SimTK::MobilizedBody makeMobilizer(const Joint& joint, SimTK::MobilizedBody& parent,
-                                       const SimTK::Transform& on_parent,
-                                       const SimTK::Body& child,
+                                       const SimTK::Transform& on_parent, const SimTK::Body& child,
                                        const SimTK::Transform& on_child);
     void addCoordinateForces(const Joint& joint);
     void setStart(const Joint& joint);
@@ -242,10 +241,9 @@ void Mechanism::Simbody::addBody(const Joint& joint) {
         b.mass, SimTK::Vec3(0),
         SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))));
     const SimTK::Rotation frame = rotation(joint.frame);
-    bodies[index(joint.child)] =
-        makeMobilizer(joint, mobilized(joint.parent),
-                      {frame, station({joint.parent, joint.at_parent})}, child,
-                      {frame, station({joint.child, joint.at_child})});
+    bodies[index(joint.child)] = makeMobilizer(
+        joint, mobilized(joint.parent), {frame, station({joint.parent, joint.at_parent})}, child,
+        {frame, station({joint.child, joint.at_child})});
 }
 
 SimTK::MobilizedBody Mechanism::Simbody::makeMobilizer(const Joint& joint,
@@ -283,8 +281,7 @@ void Mechanism::Simbody::addCoordinateForces(const Joint& joint) {
             SimTK::Force::MobilityLinearStop(forces, body, q, c.limits->stiffness,
                                              c.limits->dissipation, c.limits->lower,
                                              c.limits->upper);
-        if (c.motor)
-            SimTK::Force::Custom(forces, new Motor(body, static_cast<int>(k), c.motor));
+        if (c.motor) SimTK::Force::Custom(forces, new Motor(body, static_cast<int>(k), c.motor));
         if (c.motion) {
             SimTK::Motion::Custom(body, new GivenMotion(c.motion, interval()));
             prescribed = true;
@@ -360,9 +357,8 @@ void Mechanism::Simbody::build(double time) {
     }
     for (const Joint& joint : description.joints) addCoordinateForces(joint);
     for (const PointSpring& s : description.springs)
-        SimTK::Force::Custom(forces,
-                             new PointSpringForce(mobilized(s.from.body), station(s.from),
-                                                  mobilized(s.to.body), station(s.to), s));
+        SimTK::Force::Custom(forces, new PointSpringForce(mobilized(s.from.body), station(s.from),
+                                                          mobilized(s.to.body), station(s.to), s));
     for (const BodyForce& f : description.forces)
         SimTK::Force::Custom(forces, new GivenForce(mobilized(f.at.body), station(f.at), f));
     SimTK::Force::Custom(forces, new ParticleLoads(bodies, loads));
@@ -548,8 +544,9 @@ MechanismEnergy Mechanism::energy() const {
     MechanismEnergy energy;
     energy.kinetic = s.system.calcKineticEnergy(s.now);
     for (std::size_t b = 0; b < s.bodies.size(); ++b)
-        energy.gravity -= s.description.bodies[b].mass *
-                          s.description.gravity.dot(eigen(s.bodies[b].getBodyOriginLocation(s.now)));
+        energy.gravity -=
+            s.description.bodies[b].mass *
+            s.description.gravity.dot(eigen(s.bodies[b].getBodyOriginLocation(s.now)));
     energy.springs = s.system.calcPotentialEnergy(s.now) - energy.gravity;
     return energy;
 }

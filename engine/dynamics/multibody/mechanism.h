@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Rigid bodies with joints, as numbers: what Simbody computes, without Simbody and without the words
-// of a case. mechanism.cpp is compiled as C++17, which Simbody 3.7 wants: this header has nothing
-// newer.
+// Rigid bodies with joints, as numbers: what Simbody computes, without Simbody and without the
+// words of a case. mechanism.cpp is compiled as C++17, which Simbody 3.7 wants: this header has
+// nothing newer.
 
 #include <Eigen/Core>
 
@@ -28,9 +28,9 @@ using FunctionOfTime = std::function<double(double)>;
 /// The drawing is the place of all bodies when all coordinates of joints are zero.
 struct RigidBody {
     std::string name;
-    double mass = 0;                   ///< mass
-    Vector center = Vector::Zero();    ///< of mass, in the drawing; length
-    Matrix inertia = Matrix::Zero();   ///< about the centre, axes of the drawing; mass length^2
+    double mass = 0;                  ///< mass
+    Vector center = Vector::Zero();   ///< of mass, in the drawing; length
+    Matrix inertia = Matrix::Zero();  ///< about the centre, axes of the drawing; mass length^2
 };
 
 enum class JointKind {
@@ -176,10 +176,10 @@ class MechanismError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The equations of motion by Simbody (Sherman, Seth & Delp 2011, doi:10.1016/j.piutam.2011.04.023),
-/// stepped by the classical Runge-Kutta method of fourth order with equal steps, each of which ends
-/// with a projection onto the constraints. It keeps nothing of earlier steps: what state() gives is
-/// all that the motion depends on.
+/// The equations of motion by Simbody (Sherman, Seth & Delp 2011,
+/// doi:10.1016/j.piutam.2011.04.023), stepped by the classical Runge-Kutta method of fourth order
+/// with equal steps, each of which ends with a projection onto the constraints. It keeps nothing of
+/// earlier steps: what state() gives is all that the motion depends on.
 class Mechanism {
  public:
     /// Throws MechanismError.

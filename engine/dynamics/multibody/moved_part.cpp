@@ -14,7 +14,8 @@ namespace {
 /// A with A (v, omega) = v + omega x r.
 Eigen::Matrix<double, 3, 6> motionAt(const Vector& r) {
     Eigen::Matrix<double, 3, 6> A;
-    A << Matrix::Identity(), (Matrix() << 0, r[2], -r[1], -r[2], 0, r[0], r[1], -r[0], 0).finished();
+    A << Matrix::Identity(),
+        (Matrix() << 0, r[2], -r[1], -r[2], 0, r[0], r[1], -r[0], 0).finished();
     return A;
 }
 

@@ -57,7 +57,6 @@ struct PointParameters {
     input::Coordinates at;
 };
 
-
 struct MultibodyParameters {
     std::optional<input::Coordinates> gravity;
     std::vector<std::pair<input::Name, BodyParameters>> bodies;
@@ -69,8 +68,9 @@ struct MultibodyParameters {
         const auto isOf = [&](const input::Name& name) {
             return std::string_view(name.text).substr(0, name.text.find('.')) == body;
         };
-        return std::ranges::any_of(
-            bodies, [&](const auto& entry) { return std::ranges::any_of(entry.second.particles, isOf); });
+        return std::ranges::any_of(bodies, [&](const auto& entry) {
+            return std::ranges::any_of(entry.second.particles, isOf);
+        });
     }
 };
 

@@ -84,9 +84,9 @@ void Step<Dim>::run(const Clock& clock) {
     try {
         mechanism.step(clock.time, clock.dt, loads);
     } catch (const MechanismError& e) {
-        throw PhysicsError(fmt::format(
-            "the mechanism cannot go on at time {}: {}",
-            context_->world.quantityText(clock.time, unit::time), e.what()));
+        throw PhysicsError(fmt::format("the mechanism cannot go on at time {}: {}",
+                                       context_->world.quantityText(clock.time, unit::time),
+                                       e.what()));
     }
     for (Moved& moved : moved_)
         moved.part.follow(bodies[moved.body], before[moved.body],

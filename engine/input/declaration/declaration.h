@@ -31,8 +31,9 @@ enum class Kind {
 };
 const char* kindName(Kind kind);
 inline constexpr std::array all_kinds{
-    Kind::block, Kind::shape,           Kind::kernel,               Kind::material, Kind::dynamics,
-    Kind::joint, Kind::multibody_force, Kind::multibody_constraint, Kind::output,   Kind::field};
+    Kind::block,    Kind::shape, Kind::kernel,          Kind::material,
+    Kind::dynamics, Kind::joint, Kind::multibody_force, Kind::multibody_constraint,
+    Kind::output,   Kind::field};
 
 /// Something that a loop line can call.
 class Action {
