@@ -46,7 +46,7 @@ WRONG = {
         "--set:1:1: error: expected path=value, such as loop.end_time=1",
     "show CASE --output out": "The following arguments were not expected: out --output",
     "list colours": "error: there is no kind 'colours'; known: block, shape, kernel, material, "
-                    "dynamics, output, field",
+                    "dynamics, joint, multibody_force, multibody_constraint, output, field",
     "describe": "name is required",
     "describe fluid.presure_relaxation":
         "error: there is nothing called 'fluid.presure_relaxation'; did you mean "

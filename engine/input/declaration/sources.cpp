@@ -40,6 +40,11 @@ std::span<const Publication> publications() {
                     "improvements and applications, Comput. Methods Appl. Mech. Eng. 139, 375-408, "
                     "1996",
                     "10.1016/S0045-7825(96)01090-0"},
+        Publication{
+            "Sherman, Seth & Delp 2011",
+            "M. A. Sherman, A. Seth, S. L. Delp, Simbody: multibody dynamics for biomedical "
+            "research, Procedia IUTAM 2, 241-261, 2011",
+            "10.1016/j.piutam.2011.04.023"},
         Publication{"Vignjevic, Reveles & Campbell 2006",
                     "R. Vignjevic, J. R. Reveles, J. Campbell, SPH in a total Lagrangian "
                     "formalism, Comput. Model. Eng. Sci. 14, 181-198, 2006",
