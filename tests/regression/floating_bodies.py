@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The sphinx developers
 # SPDX-License-Identifier: Apache-2.0
-"""Free rigid bodies in water, floating_box_2d: draft, tilt and stability as Archimedes has them, and that nothing drives
+"""Free rigid bodies in water, floating_box_2d and a drop in free space with a body in it: draft, tilt and stability as Archimedes has them, and that nothing drives
 or shakes them. A square of a quarter of the water's density heels by atan(1/2) = 26.57 degrees, one of half the density by
 45 (the minima of the potential energy); twice as wide as high it floats upright.
 
@@ -36,6 +36,18 @@ def run(ratio, tilt=0.0, width=1.0, end=6.0, spacing="height/10"):
     }
 
 
+def drop():
+    """Largest change of the linear momentum of a drop and the body in it, over the sum of m abs(v); of the angular one."""
+    done = checks.Run(checks.REPOSITORY / "tests/regression/cases/drop_with_body.yaml")
+    water, spin, box, light = (done.series(name) for name in ("water", "spin", "box", "light"))
+    mass, inertia = 0.3 * 0.24, 0.3 * 0.24 * (0.6**2 + 0.4**2) / 12
+    speeds = np.sqrt(2 * light["kinetic"].min() * np.pi)  # at most: the water's, by Cauchy and Schwarz
+    linear = max(np.abs(np.ptp(water[f"momentum_{c}"] + mass * box[f"velocity_{c}"])) for c in "xy")
+    turning = (spin["angular_momentum"] + inertia * box["angular_velocity"] +
+               mass * (box["center_x"] * box["velocity_y"] - box["center_y"] * box["velocity_x"]))
+    return linear / speeds, np.ptp(turning) / abs(turning[0])
+
+
 def study():
     for ratio in (0.1, 0.3, 0.5, 0.9):
         found = run(ratio)
@@ -49,6 +61,9 @@ def study():
 def main():
     options = checks.arguments(study=study)
     report = checks.Report()
+    linear, angular = drop()
+    report.check("drop with a body in it: change of the linear momentum, of the sum of m abs(v)", linear, 0, 1e-12)
+    report.check("the same of the angular momentum, of it", angular, 0, 1e-3)
     for ratio in (0.1, 0.5, 0.9) if options.long else (0.1, 0.9):
         found = run(ratio)
         report.check(f"density {ratio}: stands above Archimedes' height, spacings", found["rise"], -RISE_LIMIT[ratio],

@@ -23,8 +23,7 @@ Eigen::Matrix<double, 3, 6> motionAt(const Vector& r) {
 
 template <int Dim>
 MovedPart<Dim>::MovedPart(World<Dim>& world, const input::Name& name)
-    : world_(&world),
-      part_(world, name),
+    : part_(world, name),
       position_(part_.body().particles.position()),
       initial_position_(part_.body().particles.vector(fields::initial_position)),
       velocity_(part_.body().particles.vector(fields::velocity)),
@@ -61,12 +60,24 @@ Vec<Dim> MovedPart<Dim>::placeOf(std::size_t i, const RigidBody& body,
 }
 
 template <int Dim>
-void MovedPart<Dim>::addLoad(const BodyMotion& motion, BodyLoad& load) const {
+bool MovedPart<Dim>::isLoaded(std::size_t i) const {
+    const Vec<Dim> none = Vec<Dim>::Zero();
+    return (pressure_force_ && (*pressure_force_)[i] != none) ||
+           (viscous_force_ && (*viscous_force_)[i] != none) ||
+           (impedance_ && (*impedance_)[i].trace() > 0);
+}
+
+template <int Dim>
+void MovedPart<Dim>::addLoad(const BodyMotion& motion, BodyLoad& load) {
     const bool elastic = part_.body().isElastic();
+    // Few particles of a large body are near a fluid.
+    loaded_.clear();
+    for (std::size_t n = 0; n < part_.size(); ++n)
+        if (elastic || isLoaded(part_[n])) loaded_.push_back(part_[n]);
     // Force and moment, Z u with its moment, and the upper triangle of the matrix.
     using Sum = std::array<double, 6 + 6 + 21>;
-    const Sum sum = sumAll(part_.size(), [&](std::size_t n) {
-        const std::size_t i = part_[n];
+    const Sum sum = sumAll(loaded_.size(), [&](std::size_t n) {
+        const std::size_t i = loaded_[n];
         const auto A = motionAt(inSpace<Dim>(position_[i]) - motion.center);
         Vec<Dim> f = Vec<Dim>::Zero();
         Matrix Z = Matrix::Zero();

@@ -24,7 +24,7 @@ class MovedPart {
     /// Adds what acts on the particles, about the centre of mass: the force f of fluids and of
     /// elastic material, and where fluids answer the motion within their step (Radiation) its Z and
     /// Z u. Of an elastic part the kick has been taken, v = v0 + a dt: f = m a + Z (v - u).
-    void addLoad(const BodyMotion& motion, BodyLoad& load) const;
+    void addLoad(const BodyMotion& motion, BodyLoad& load);
     /// Moves the particles as the body has moved in a step that began at `before`. Rigid ones get
     /// place, velocity, acceleration and normal at its end. Elastic ones get
     /// the velocity at its end, as a kick would give it, and a place from which the drift of their
@@ -34,11 +34,12 @@ class MovedPart {
                 const Clock& clock);
 
  private:
+    bool isLoaded(std::size_t i) const;
     void setRigid(std::size_t i, const RigidBody& body, const BodyMotion& motion);
     Vec<Dim> placeOf(std::size_t i, const RigidBody& body, const BodyMotion& motion) const;
 
-    const World<Dim>* world_;
     Part<Dim> part_;
+    std::vector<std::size_t> loaded_;  // scratch
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& initial_position_;
     Field<Vec<Dim>>& velocity_;
