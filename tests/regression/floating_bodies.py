@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The sphinx developers
 # SPDX-License-Identifier: Apache-2.0
-"""Free rigid bodies in water, floating_box_2d and a drop in free space with a body in it: draft, tilt and stability as Archimedes has them, and that nothing drives
+"""Free rigid bodies in water, floating_box_2d, floating_barge_3d and a drop in free space with a body in it: draft, tilt and stability as Archimedes has them, and that nothing drives
 or shakes them. A square of a quarter of the water's density heels by atan(1/2) = 26.57 degrees, one of half the density by
 45 (the minima of the potential energy); twice as wide as high it floats upright.
 
@@ -48,6 +48,16 @@ def drop():
     return linear / speeds, np.ptp(turning) / abs(turning[0])
 
 
+def barge():
+    """Force of the water over the weight, rise in spacings, largest roll in degrees: at first, and at the end."""
+    body = checks.Run("floating_barge_3d/case.yaml", "outputs.frames.every={time: 100}").series("barge")
+    roll = np.abs(2 * np.degrees(np.arctan2(body["rotation_x"], body["rotation_w"])))
+    late = body["time"] > 1.5
+    weight = 0.4 * 0.2 * 0.1 * 300 * G
+    return (body["particle_force_z"][late].mean() / weight, (body["center_z"][late].mean() - body["center_z"][0]) / 0.02,
+            roll.max(), roll[body["time"] > 2.5].max())
+
+
 def study():
     for ratio in (0.1, 0.3, 0.5, 0.9):
         found = run(ratio)
@@ -75,6 +85,11 @@ def main():
     found = run(0.5, 10, end=10)
     report.check("let go at 10 degrees: tilt, degrees", found["angle"], -TILT_LIMIT, TILT_LIMIT)
     if options.long:
+        force, rise, first, last = barge()
+        report.check("barge: force of the water over the weight", force, 0.99, 1.01)
+        report.check("barge: stands above Archimedes' height, spacings", rise, 0, 0.6)
+        report.check("barge: largest roll, degrees", first, 2, 3.5)
+        report.check("barge: roll that is left after 2.5 s, degrees", last, 0, 0.6)
         for ratio, tilt, heel in ((0.25, 20, 26.57), (0.5, 8, 45)):
             found = run(ratio, tilt, 0.5, 16)
             report.check(f"square of density {ratio}: heels by, degrees", abs(found["angle"]), heel - HEEL_LIMIT,
