@@ -80,9 +80,13 @@ class Run:
 
 
 def reference(case, name):
-    """Columns of a CSV file in the folder of the case; lines of # are comments."""
-    text = (CASES / case / "reference" / name).read_text()
-    lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+    """Columns of a CSV file in the folder of the case."""
+    return table(CASES / case / "reference" / name)
+
+
+def table(path):
+    """Columns of a CSV file; lines of # are comments."""
+    lines = [line for line in path.read_text().splitlines() if line and not line.startswith("#")]
     rows = np.array([[float(value) for value in line.split(",")] for line in lines[1:]])
     return dict(zip(lines[0].split(","), rows.T))
 

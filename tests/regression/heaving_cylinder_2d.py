@@ -8,6 +8,7 @@ A cylinder of lattice points floats too high by a part of a spacing, so errors g
 
 import numpy as np
 
+import beam
 import checks
 
 LIFT = 0.2
@@ -21,9 +22,7 @@ def measure(across):
                      "outputs.frames.every={time: 100}")
     cylinder = run.series("cylinder")
     t, y = cylinder["time"], cylinder["center_y"] / LIFT
-    k = np.flatnonzero(np.sign(y[1:]) != np.sign(y[:-1]))
-    zeros = t[k] + (t[k + 1] - t[k]) * y[k] / (y[k] - y[k + 1])
-    return np.array([*zeros[:2], y.min()])
+    return np.array([*beam.zeros(t, y)[:2], y.min()])
 
 
 def errors(found):

@@ -10,21 +10,10 @@ With --plot the plots in the folders of the cases.
 
 import numpy as np
 
+import beam
 import checks
 
 HERE = checks.REPOSITORY / "tests/regression/cases"
-
-
-def table(path):
-    """Columns of a CSV file; lines of # are comments."""
-    lines = [line for line in path.read_text().splitlines() if line and line[0] != "#"]
-    rows = np.array([[float(value) for value in line.split(",")] for line in lines[1:]])
-    return dict(zip(lines[0].split(","), rows.T))
-
-
-def zeros(t, y):
-    k = np.flatnonzero(np.sign(y[1:]) != np.sign(y[:-1]))
-    return t[k] + (t[k + 1] - t[k]) * y[k] / (y[k] - y[k + 1])
 
 
 def same(report, what, times, values, reference_times, reference, limit=1e-5, until=np.inf):
@@ -44,7 +33,7 @@ def energy(report, run, limit=1e-6):
 def pendulum(report):
     run = checks.Run("pendulum_2d/case.yaml", "outputs.frames.every={time: 10}")
     pin, reference = run.series("pin"), checks.reference("pendulum_2d", "swing.csv")
-    crossings = zeros(pin["time"], pin["coordinate"])
+    crossings = beam.zeros(pin["time"], pin["coordinate"])
     report.check("pendulum: period less 2.093199 s, of it", 2 * (crossings[1] - crossings[0]) / 2.093199 - 1, -1e-5,
                  1e-5)
     same(report, "pendulum: angle", pin["time"], pin["coordinate"], reference["t"], reference["theta"])
@@ -97,7 +86,7 @@ def torque_free(report):
     reference = checks.reference("torque_free_body_3d", "angular_velocity.csv")
     for c, name in enumerate(("wx_body", "wy_body", "wz_body")):
         same(report, f"torque-free body: {name}", box["time"], own[c], reference["t"], reference[name])
-    flips = np.diff(zeros(box["time"], own[1]))
+    flips = np.diff(beam.zeros(box["time"], own[1]))
     report.check("torque-free body: time between flips less 2.434493 s, of it", flips.mean() / 2.434493 - 1, -1e-5,
                  1e-5)
     energy(report, run)
@@ -106,12 +95,12 @@ def torque_free(report):
 def slider_crank(report):
     run = checks.Run(HERE / "slider_crank.yaml")
     crank, slider = run.series("crank"), run.series("slider")
-    reference = table(HERE / "reference/slider_crank.csv")
+    reference = checks.table(HERE / "reference/slider_crank.csv")
     same(report, "slider-crank: crank", crank["time"], crank["coordinate"] + np.pi / 4, reference["t"],
          reference["crank_angle"])
     same(report, "slider-crank: slider", slider["time"], slider["coordinate"] + reference["slider_x"][0],
          reference["t"], reference["slider_x"])
-    forces = table(HERE / "reference/slider_crank_reactions.csv")
+    forces = checks.table(HERE / "reference/slider_crank_reactions.csv")
     same(report, "slider-crank: force of the pin", crank["time"], crank["reaction_x"], forces["t"],
          forces["pin_force_x_on_crank"], 1e-4)
     same(report, "slider-crank: force of the guide", slider["time"], slider["reaction_y"], forces["t"],
@@ -125,7 +114,7 @@ def heavy_top(report):
     centre = np.array([top[f"center_{c}"] for c in "xyz"])
     tilt = np.arccos(np.clip(centre[2] / np.linalg.norm(centre, axis=0), -1, 1))
     report.check("heavy top: largest tilt less 35.2018 degrees", np.degrees(tilt.max()) - 35.2018, -0.002, 0.002)
-    reference = table(HERE / "reference/heavy_top.csv")
+    reference = checks.table(HERE / "reference/heavy_top.csv")
     same(report, "heavy top: tilt", top["time"], tilt, reference["t"], reference["tilt_rad"])
     energy(report, run)
 
