@@ -34,7 +34,8 @@ class FluidForce final : public Method {
     void announce() override {
         if (kind != fluid::LoadKind::viscous) return;
         double& lightest = fluid_->fluid().viscous.lightest_solid;
-        lightest = std::min(lightest, solid_->material()->density());
+        const double density = solid_->material()->density();
+        if (density > 0) lightest = std::min(lightest, density);  // rigid ones may state none
     }
     void run(const Clock&) {
         const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind);

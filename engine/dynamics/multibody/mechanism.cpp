@@ -200,7 +200,6 @@ struct Mechanism::Simbody {
     std::vector<Screw> passed;
     std::vector<double> work;
     SimTK::State now;
-    int inner_steps = 0;
     double last_step = 0;
     bool constrained = false;
     bool prescribed = false;
@@ -476,23 +475,18 @@ void Mechanism::step(double time, double dt, const std::vector<BodyLoad>& loads)
     }
     const double largest = s.description.largest_step;
     const double wanted = std::max(largest > 0 ? dt / largest : 1.0, 2 * dt * fastest);
-    s.inner_steps = static_cast<int>(std::ceil(wanted * (1 - 1e-12)));
-    s.inner_steps = std::clamp(s.inner_steps, 1, 100'000);
+    const int steps = std::clamp(static_cast<int>(std::ceil(wanted * (1 - 1e-12))), 1, 100'000);
     for (Screw& way : s.passed) way.setZero();
     s.last_step = dt;
     try {
         s.now.setTime(time);
-        for (int n = 0; n < s.inner_steps; ++n) {
-            s.advance(dt / s.inner_steps);
-        }
+        for (int n = 0; n < steps; ++n) s.advance(dt / steps);
         s.now.setTime(time + dt);
         s.realize();
     } catch (const SimTK::Exception::Base& e) {
         throw MechanismError(firstLine(e.getMessageText()));
     }
 }
-
-int Mechanism::innerSteps() const { return simbody_->inner_steps; }
 
 Screw Mechanism::received(int body) const {
     const Simbody& s = *simbody_;
@@ -526,8 +520,7 @@ Mechanism::Kinematics Mechanism::coordinate(int joint, int coordinate) const {
     const Simbody& s = *simbody_;
     const Joint& j = s.description.joints[Simbody::index(joint)];
     const SimTK::MobilizedBody& b = s.bodies[Simbody::index(j.child)];
-    return {b.getOneQ(s.now, coordinate), b.getOneU(s.now, coordinate),
-            b.getOneUDot(s.now, coordinate)};
+    return {b.getOneQ(s.now, coordinate), b.getOneU(s.now, coordinate)};
 }
 
 JointReaction Mechanism::reaction(int joint) const {

@@ -194,9 +194,6 @@ class Mechanism {
 
     /// From `time` on by dt; a load for each body. Throws MechanismError.
     void step(double time, double dt, const std::vector<BodyLoad>& loads);
-    /// Steps of the integrator in the last step().
-    int innerSteps() const;
-
     /// Mean force and moment of the particles on a body in the last step, about its centre of mass.
     Screw received(int body) const;
     /// Work of the particles on each body since the start; energy. State besides state().
@@ -204,9 +201,9 @@ class Mechanism {
     void setWork(const std::vector<double>& work);
     /// At the end of the last step, or at the start.
     BodyMotion motion(int body) const;
-    /// Value, rate and acceleration of a coordinate of a joint that has such.
+    /// Of a coordinate of a joint that has such.
     struct Kinematics {
-        double value, rate, acceleration;
+        double value, rate;
     };
     Kinematics coordinate(int joint, int coordinate) const;
     JointReaction reaction(int joint) const;

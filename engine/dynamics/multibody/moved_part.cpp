@@ -23,7 +23,8 @@ Eigen::Matrix<double, 3, 6> motionAt(const Vector& r) {
 
 template <int Dim>
 MovedPart<Dim>::MovedPart(World<Dim>& world, const input::Name& name)
-    : part_(world, name),
+    : domain_(&world.domain),
+      part_(world, name),
       position_(part_.body().particles.position()),
       initial_position_(part_.body().particles.vector(fields::initial_position)),
       velocity_(part_.body().particles.vector(fields::velocity)),
@@ -53,10 +54,16 @@ void MovedPart<Dim>::prepare() {
 }
 
 template <int Dim>
+Vector MovedPart<Dim>::armOf(std::size_t i, const RigidBody& body, const BodyMotion& motion) const {
+    return motion.rotation * (inSpace<Dim>(initial_position_[i]) - body.center);
+}
+
+template <int Dim>
 Vec<Dim> MovedPart<Dim>::placeOf(std::size_t i, const RigidBody& body,
                                  const BodyMotion& motion) const {
-    const Vector arm = inSpace<Dim>(initial_position_[i]) - body.center;
-    return (motion.center + motion.rotation * arm).template head<Dim>();
+    const Vec<Dim> place = (motion.center + armOf(i, body, motion)).template head<Dim>();
+    // Whole periods, or exactly nothing.
+    return place + (domain_->difference(place, position_[i]) - (place - position_[i]));
 }
 
 template <int Dim>
@@ -68,7 +75,7 @@ bool MovedPart<Dim>::isLoaded(std::size_t i) const {
 }
 
 template <int Dim>
-void MovedPart<Dim>::addLoad(const BodyMotion& motion, BodyLoad& load) {
+void MovedPart<Dim>::addLoad(const RigidBody& body, const BodyMotion& motion, BodyLoad& load) {
     const bool elastic = part_.body().isElastic();
     // Few particles of a large body are near a fluid.
     loaded_.clear();
@@ -78,7 +85,7 @@ void MovedPart<Dim>::addLoad(const BodyMotion& motion, BodyLoad& load) {
     using Sum = std::array<double, 6 + 6 + 21>;
     const Sum sum = sumAll(loaded_.size(), [&](std::size_t n) {
         const std::size_t i = loaded_[n];
-        const auto A = motionAt(inSpace<Dim>(position_[i]) - motion.center);
+        const auto A = motionAt(armOf(i, body, motion));
         Vec<Dim> f = Vec<Dim>::Zero();
         Matrix Z = Matrix::Zero();
         Vector u = Vector::Zero();
@@ -117,7 +124,7 @@ void MovedPart<Dim>::addLoad(const BodyMotion& motion, BodyLoad& load) {
 template <int Dim>
 void MovedPart<Dim>::setRigid(std::size_t i, const RigidBody& body, const BodyMotion& motion) {
     position_[i] = placeOf(i, body, motion);
-    const Vector r = inSpace<Dim>(position_[i]) - motion.center;
+    const Vector r = armOf(i, body, motion);
     const auto A = motionAt(r);
     const Vector turning = motion.velocity.template tail<3>();
     velocity_[i] = Vector(A * motion.velocity).template head<Dim>();
@@ -134,7 +141,7 @@ void MovedPart<Dim>::place(const RigidBody& body, const BodyMotion& start) {
     parallelFor(part_.size(), [&](std::size_t n) {
         const std::size_t i = part_[n];
         if (!elastic) return setRigid(i, body, start);
-        const auto A = motionAt(inSpace<Dim>(position_[i]) - start.center);
+        const auto A = motionAt(armOf(i, body, start));
         velocity_[i] = Vector(A * start.velocity).template head<Dim>();
     });
     ++part_.body().version;
@@ -149,13 +156,13 @@ void MovedPart<Dim>::follow(const RigidBody& body, const BodyMotion& before,
         const std::size_t i = part_[n];
         if (elastic) {
             const Vec<Dim> end = placeOf(i, body, after);
-            const auto A = motionAt(inSpace<Dim>(end) - after.center);
+            const auto A = motionAt(armOf(i, body, after));
             velocity_[i] = Vector(A * after.velocity).template head<Dim>();
             position_[i] = end - 0.5 * dt * velocity_[i];
             return;
         }
         if (slip_ && (*impedance_)[i].trace() > 0) {
-            const auto A = motionAt(inSpace<Dim>(position_[i]) - before.center);
+            const auto A = motionAt(armOf(i, body, before));
             (*slip_)[i] += Vec<Dim>((A * after.passed).template head<Dim>()) - dt * (*seen_)[i];
         }
         setRigid(i, body, after);

@@ -24,7 +24,7 @@ class MovedPart {
     /// Adds what acts on the particles, about the centre of mass: the force f of fluids and of
     /// elastic material, and where fluids answer the motion within their step (Radiation) its Z and
     /// Z u. Of an elastic part the kick has been taken, v = v0 + a dt: f = m a + Z (v - u).
-    void addLoad(const BodyMotion& motion, BodyLoad& load);
+    void addLoad(const RigidBody& body, const BodyMotion& motion, BodyLoad& load);
     /// Moves the particles as the body has moved in a step that began at `before`. Rigid ones get
     /// place, velocity, acceleration and normal at its end. Elastic ones get
     /// the velocity at its end, as a kick would give it, and a place from which the drift of their
@@ -36,8 +36,12 @@ class MovedPart {
  private:
     bool isLoaded(std::size_t i) const;
     void setRigid(std::size_t i, const RigidBody& body, const BodyMotion& motion);
+    /// From the centre of mass, whichever periodic image of it the particle belongs to.
+    Vector armOf(std::size_t i, const RigidBody& body, const BodyMotion& motion) const;
+    /// The periodic image that is nearest to the particle.
     Vec<Dim> placeOf(std::size_t i, const RigidBody& body, const BodyMotion& motion) const;
 
+    const Domain<Dim>* domain_;
     Part<Dim> part_;
     std::vector<std::size_t> loaded_;  // scratch
     Field<Vec<Dim>>& position_;

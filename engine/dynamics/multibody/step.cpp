@@ -80,7 +80,8 @@ void Step<Dim>::run(const Clock& clock) {
     std::vector<BodyLoad> loads(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b)
         before[b] = mechanism.motion(static_cast<int>(b));
-    for (Moved& moved : moved_) moved.part.addLoad(before[moved.body], loads[moved.body]);
+    for (Moved& moved : moved_)
+        moved.part.addLoad(bodies[moved.body], before[moved.body], loads[moved.body]);
     try {
         mechanism.step(clock.time, clock.dt, loads);
     } catch (const MechanismError& e) {
