@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The sphinx developers
 # SPDX-License-Identifier: Apache-2.0
 """Mechanisms without water: pendulum_2d, double_pendulum_2d, four_bar_linkage_2d, torque_free_body_3d, and of
-cases/ here slider_crank and heavy_top. References: integrations of the equations of each in minimal coordinates by
+cases/ here slider_crank, heavy_top, torque_free_euler and pushed_elastic_block. References: integrations of the equations of each in minimal coordinates by
 DOP853 to 1e-12, beside the cases; the period of the pendulum (complete elliptic integral), the flips of the free
 body (elliptic integral) and the largest tilt of the top (cubic of its energy) are closed forms.
 
@@ -76,13 +76,18 @@ def four_bar(report):
         rocker["coordinate"] + start - expected).max(), 0, 4e-4)
 
 
+def in_own_axes(body):
+    """Angular velocity of a body in its axes, from a series of it."""
+    q = np.array([body[f"rotation_{c}"] for c in "wxyz"])
+    space = np.array([body[f"angular_velocity_{c}"] for c in "xyz"])
+    vector = -q[1:]  # the inverse turn: into axes of the body
+    return space + 2 * q[0] * np.cross(vector.T, space.T).T + 2 * np.cross(vector.T, np.cross(vector.T, space.T)).T
+
+
 def torque_free(report):
     run = checks.Run("torque_free_body_3d/case.yaml", "outputs.frames.every={time: 10}")
     box = run.series("box")
-    q = np.array([box[f"rotation_{c}"] for c in "wxyz"])
-    space = np.array([box[f"angular_velocity_{c}"] for c in "xyz"])
-    vector = -q[1:]  # the inverse turn: into axes of the body
-    own = space + 2 * q[0] * np.cross(vector.T, space.T).T + 2 * np.cross(vector.T, np.cross(vector.T, space.T)).T
+    own = in_own_axes(box)
     reference = checks.reference("torque_free_body_3d", "angular_velocity.csv")
     for c, name in enumerate(("wx_body", "wy_body", "wz_body")):
         same(report, f"torque-free body: {name}", box["time"], own[c], reference["t"], reference[name])
@@ -90,6 +95,23 @@ def torque_free(report):
     report.check("torque-free body: time between flips less 2.434493 s, of it", flips.mean() / 2.434493 - 1, -1e-5,
                  1e-5)
     energy(report, run)
+
+
+def torque_free_euler(report):
+    run = checks.Run(HERE / "torque_free_euler.yaml")
+    body = run.series("body")
+    reference = checks.table(HERE / "reference/torque_free_euler.csv")
+    for own, name in zip(in_own_axes(body), ("w1", "w2", "w3")):
+        same(report, f"moments 1, 2, 3: {name}", body["time"], own, reference["t"], reference[name])
+    energy(report, run)
+
+
+def pushed_elastic_block(report):
+    block = checks.Run(HERE / "pushed_elastic_block.yaml").series("block")
+    t = block["time"]
+    for c, acceleration in (("x", 2.0), ("y", -9.81)):
+        same(report, f"pushed elastic block: {c}", t, block[f"center_{c}"] - block[f"center_{c}"][0], t,
+             0.5 * acceleration * t**2, 1e-9)
 
 
 def slider_crank(report):
@@ -149,7 +171,8 @@ def plot():
 def main():
     checks.arguments(plot=plot)
     report = checks.Report()
-    for test in (pendulum, double_pendulum, four_bar, torque_free, slider_crank, heavy_top):
+    for test in (pendulum, double_pendulum, four_bar, torque_free, torque_free_euler, pushed_elastic_block,
+                 slider_crank, heavy_top):
         test(report)
     report.end()
 

@@ -73,6 +73,7 @@ void declareGravity(input::Registry& registry) {
     auto& d = declareMethod<Gravity, P>(registry, "force.gravity");
     d.summary("Uniform gravity on a body");
     d.formula("dv_i/dt += g");
+    d.trait("uniform_gravity");
     d.required("body", &P::body, input::bodyReference({"fluid", "elastic"}),
                "fluid or elastic body");
     d.required("acceleration", &P::acceleration, input::coordinates(unit::acceleration),

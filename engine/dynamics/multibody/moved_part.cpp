@@ -29,10 +29,7 @@ MovedPart<Dim>::MovedPart(World<Dim>& world, const input::Name& name)
       initial_position_(part_.body().particles.vector(fields::initial_position)),
       velocity_(part_.body().particles.vector(fields::velocity)),
       acceleration_(part_.body().particles.vector(fields::acceleration)),
-      mass_(part_.body().particles.scalar(fields::mass)) {
-    if (part_.body().isElastic())
-        external_ = &part_.body().particles.vector(fields::external_acceleration);
-}
+      mass_(part_.body().particles.scalar(fields::mass)) {}
 
 template <int Dim>
 void MovedPart<Dim>::prepare() {
@@ -77,6 +74,7 @@ bool MovedPart<Dim>::isLoaded(std::size_t i) const {
 template <int Dim>
 void MovedPart<Dim>::addLoad(const RigidBody& body, const BodyMotion& motion, BodyLoad& load) {
     const bool elastic = part_.body().isElastic();
+    const Vec<Dim> gravity = part_.body().gravity();
     // Few particles of a large body are near a fluid.
     loaded_.clear();
     for (std::size_t n = 0; n < part_.size(); ++n)
@@ -94,7 +92,7 @@ void MovedPart<Dim>::addLoad(const RigidBody& body, const BodyMotion& motion, Bo
             u = inSpace<Dim>((*seen_)[i]);
         }
         if (elastic) {
-            f = mass_[i] * (acceleration_[i] - (*external_)[i]);
+            f = mass_[i] * (acceleration_[i] - gravity);
             f += (Z * (inSpace<Dim>(velocity_[i]) - u)).template head<Dim>();
         } else {
             if (pressure_force_) f += (*pressure_force_)[i];

@@ -21,9 +21,10 @@ class MovedPart {
     void place(const RigidBody& body, const BodyMotion& start);
 
     std::size_t size() const { return part_.size(); }
-    /// Adds what acts on the particles, about the centre of mass: the force f of fluids and of
-    /// elastic material, and where fluids answer the motion within their step (Radiation) its Z and
-    /// Z u. Of an elastic part the kick has been taken, v = v0 + a dt: f = m a + Z (v - u).
+    /// Adds what acts on the particles, about the centre of mass: the force f of fluids, of elastic
+    /// material and of methods that push it, and where fluids answer the motion within their step
+    /// (Radiation) its Z and Z u. Of an elastic part the kick has been taken, v = v0 + a dt: f = m
+    /// (a - g) + Z (v - u), without its force.gravity, because the mechanism has its own.
     void addLoad(const RigidBody& body, const BodyMotion& motion, BodyLoad& load);
     /// Moves the particles as the body has moved in a step that began at `before`. Rigid ones get
     /// place, velocity, acceleration and normal at its end. Elastic ones get
@@ -49,7 +50,6 @@ class MovedPart {
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& acceleration_;
     const Field<double>& mass_;
-    const Field<Vec<Dim>>* external_ = nullptr;
     // Where something has made them.
     const Field<Vec<Dim>>* pressure_force_ = nullptr;
     const Field<Vec<Dim>>* viscous_force_ = nullptr;

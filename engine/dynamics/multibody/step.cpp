@@ -4,10 +4,12 @@
 
 #include "core/errors.h"
 #include "dynamics/methods.h"
+#include "dynamics/multibody/components.h"
 #include "dynamics/multibody/description.h"
 #include "dynamics/multibody/moved_part.h"
 
 #include <fmt/format.h>
+#include <map>
 
 namespace sphinx::dynamics::multibody {
 namespace {
@@ -158,6 +160,42 @@ void checkAlone(const input::Component& method, WrittenCase& written) {
             }
 }
 
+/// What particles of a mechanism weigh is said once, by multibody.gravity: a force.gravity does
+/// nothing where it has them all, and else must be the same on those that it has not.
+void checkGravity(const input::Component& method, WrittenCase& written) {
+    if (!written.multibody || !written.calls(method)) return;
+    const Vector own =
+        written.multibody->gravity ? vectorOf(*written.multibody->gravity) : Vector(Vector::Zero());
+    std::map<std::string, Vector> total;
+    for (const input::Component* other : written.called) {
+        if (!other->declaration->hasTrait("uniform_gravity")) continue;
+        const std::string body = other->references("body").front().text;
+        total.try_emplace(body, Vector::Zero()).first->second +=
+            vectorOf(*other->value<input::Coordinates>("acceleration"));
+    }
+    for (const input::Component* other : written.called) {
+        if (!other->declaration->hasTrait("uniform_gravity")) continue;
+        const std::string body = other->references("body").front().text;
+        for (const auto& [carrier, p] : written.multibody->bodies)
+            for (const input::Name& moved : p.particles)
+                if (moved.text == body) {
+                    written.diagnostics.error(
+                        other->placeOf("body"),
+                        fmt::format("{} is carried by {} of multibody: multibody.gravity alone is "
+                                    "its weight",
+                                    body, carrier.text));
+                } else if (overlap(moved.text, body) && total.at(body) != own) {
+                    written.diagnostics.error(
+                        other->placeOf("acceleration"),
+                        fmt::format("{} is carried by {} of multibody and weighs by "
+                                    "multibody.gravity, which {}: the rest of {} needs the same",
+                                    moved.text, carrier.text,
+                                    written.multibody->gravity ? "is another" : "is missing",
+                                    body));
+                }
+    }
+}
+
 }  // namespace
 
 void declareStep(input::Registry& registry) {
@@ -172,6 +210,7 @@ void declareStep(input::Registry& registry) {
                "what it moves; filled in: the particles of all bodies of multibody");
     d.rule(requireBlock);
     d.rule(checkAlone);
+    d.rule(checkGravity);
     d.worldRule([](const auto& method, auto& built) { checkMechanism(method, built); });
     d.action(
          "rigid bodies: between the halves of their fluid's pressure relaxation; with parts of "
@@ -179,7 +218,7 @@ void declareStep(input::Registry& registry) {
         .reads("parts", {"initial_position", "position", "mass", "volume"})
         .mayRead("parts", {"pressure_force", "viscous_force", "radiation_impedance",
                            "average_velocity", "slip"})
-        .mayRead("parts.elastic", {"acceleration", "external_acceleration", "velocity"})
+        .mayRead("parts.elastic", {"acceleration", "velocity"})
         .mayRead("parts.rigid", {"initial_normal", "normal"})
         .writes("parts", {"position", "velocity"})
         .writes("parts.rigid", {"acceleration"})

@@ -35,6 +35,13 @@ struct Component {
         const Parameter* found = declaration->parameter(parameter);
         return found ? references(*found) : std::vector<Name>{};
     }
+    /// The value of a parameter that is declared with that type, of a declaration whose parameters
+    /// are not known here; null where there is no such parameter.
+    template <class T>
+    const T* value(std::string_view parameter) const {
+        const Parameter* found = declaration->parameter(parameter);
+        return found ? static_cast<const T*>(found->in(parameters.get())) : nullptr;
+    }
     /// Where the parameter was given, or the place of the entry when it is a default.
     Place placeOf(std::string_view parameter) const {
         for (const auto& [name, given] : parameter_places)
