@@ -19,6 +19,10 @@ std::span<const Publication> publications() {
                     "structurally based framework for material characterization, Phil. Trans. R. "
                     "Soc. A 367, 3445-3475, 2009",
                     "10.1098/rsta.2009.0091"},
+        Publication{"Jonkman 2007",
+                    "J. M. Jonkman, Dynamics modeling and loads analysis of an offshore floating "
+                    "wind turbine, NREL/TP-500-41958, 2007",
+                    "10.2172/921803"},
         Publication{"Libersky et al. 1993",
                     "L. D. Libersky, A. G. Petschek, T. C. Carney, J. R. Hipp, F. A. Allahdadi, "
                     "High strain Lagrangian hydrodynamics, J. Comput. Phys. 109, 67-75, 1993",
