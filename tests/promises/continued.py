@@ -14,6 +14,7 @@ CASES = ("splash_2d", "splash_3d",
          "gate_2d",      # elastic
          "strip_2d",     # elastic, with loads and motion
          "raft_2d",      # a mechanism with rigid and elastic particles
+         "linkage_2d",   # one that is driven, with a closed loop and a line
          "clamped_3d")
 
 

@@ -3,6 +3,7 @@
  *
  * Preloaded into a process, which then finds itself on another system:
  * - GROUPS_IN=FOLDER: files of /proc/self/cgroup and /sys/fs/cgroup are those below FOLDER.
+ * - LIBRARIES_IN=FILE: every function is found in that library.
  * - FLOCK_FAILS=ERRNO: no file can be locked, for this reason.
  * - MEMORY_ENDS_AT=N: there is no memory for the N-th allocation of a kilobyte or more, and after
  * that no more for any than is freed. With ALLOCATIONS_COUNTED=FILE their number is written to FILE
@@ -38,6 +39,13 @@ FILE* fopen(const char* path, const char* mode) {
 FILE* fopen64(const char* path, const char* mode) {
     char other[PATH_MAX];
     return NEXT(fopen64)(place_of(path, other), mode);
+}
+
+int dladdr(const void* address, Dl_info* info) {
+    const char* file = getenv("LIBRARIES_IN");
+    const int found = NEXT(dladdr)(address, info);
+    if (file) info->dli_fname = file;
+    return found;
 }
 
 int flock(int descriptor, int operation) {

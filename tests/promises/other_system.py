@@ -96,6 +96,20 @@ class Locks(OtherSystem):
 
 
 @unittest.skipIf(OWN_MEMORY, "a sanitizer has an allocator of its own, which does not run out of memory")
+class LinearAlgebra(OtherSystem):
+    def test_of_another_system(self):
+        case = self.case("linkage_2d")
+        whole = self.folder / "whole"
+        self.sphinx(case, whole)
+        words = command(case, self.folder / "elsewhere", "--restart", restarts(whole)[160])
+        self.assertEqual(self.elsewhere(words), (0, ""))
+        words = command(case, self.folder / "other", "--restart", restarts(whole)[160])
+        code, said = self.elsewhere(words, LIBRARIES_IN="libother.so")
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"^warning: the restart was written with the linear algebra of \S.*, this system has "
+                               r"libother\.so.*: the last bits of the mechanism may differ\n$")
+
+
 class MemoryEnds(OtherSystem):
     """In the midst of a run."""
 

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The sphinx developers
 # SPDX-License-Identifier: Apache-2.0
 """Mechanisms without water: pendulum_2d, double_pendulum_2d, four_bar_linkage_2d, torque_free_body_3d, and of
-cases/ here slider_crank, heavy_top, torque_free_euler and pushed_elastic_block. References: integrations of the equations of each in minimal coordinates by
-DOP853 to 1e-12, beside the cases; the period of the pendulum (complete elliptic integral), the flips of the free
-body (elliptic integral) and the largest tilt of the top (cubic of its energy) are closed forms.
+cases/ here slider_crank, heavy_top, torque_free_euler, pushed_elastic_block, joint_springs, swung_pendulum,
+loose_linkage and moored_body. References: integrations of the equations of each in minimal coordinates by DOP853 to
+1e-12, beside the cases; the period of the pendulum (complete elliptic integral), the flips of the free body (elliptic
+integral), the largest tilt of the top (cubic of its energy), oscillators and the catenary are closed forms.
 
 With --plot the plots in the folders of the cases.
 """
@@ -141,6 +142,104 @@ def heavy_top(report):
     energy(report, run)
 
 
+def oscillator(t, mass, damping, stiffness, start, rate=0.0, rest=0.0):
+    """A lightly damped one, released at `start` with a rate."""
+    decay = damping / (2 * mass)
+    omega = np.sqrt(stiffness / mass - decay**2)
+    a = start - rest
+    return rest + np.exp(-decay * t) * (a * np.cos(omega * t) + (rate + decay * a) / omega * np.sin(omega * t))
+
+
+def bouncing(t, speed, gap, omega):
+    """To and fro between springs without damping, from the middle."""
+    flight, push = 2 * gap / speed, np.pi / omega
+    half = flight + push
+    t = t + flight / 2
+    n, t = np.floor(t / half), t % half
+    x = np.where(t < flight, speed * t - gap, gap + speed / omega * np.sin(omega * (t - flight)))
+    return np.where(n % 2 == 0, x, -x)
+
+
+def joint_springs(report):
+    run = checks.Run(HERE / "joint_springs_2d.yaml")
+
+    def compare(what, found, expected, limit=1e-7):
+        report.check(f"{what}: largest difference, of the range", np.abs(found - expected).max() / np.ptp(expected), 0,
+                     limit)
+
+    held, pushed, bounced, spun = (run.series(name) for name in ("held", "pushed", "bounced", "spun"))
+    t = held["time"]
+    compare("planar joint: torsional spring", held["coordinate_1"], oscillator(t, 0.5, 0.1, 8, 0, 1, 0.3))
+    compare("planar joint: spring along x", held["coordinate_2"], oscillator(t, 2, 0, 50, 0.1))
+    compare("planar joint: spring along y", held["coordinate_3"], oscillator(t, 2, 0.6, 20, 0.2, 0, -0.1))
+    compare("planar joint: its reaction is the spring's force", held["reaction_x"], -50 * held["coordinate_2"])
+    compare("planar joint: motor", pushed["coordinate_1"], t**3 / 12)
+    compare("planar joint: moment of the motor", pushed["reaction_moment"], 0.25 * t)
+    compare("planar joint: spring beside a motion", pushed["coordinate_2"], oscillator(t, 2, 0, 50, 0.1))
+    compare("planar joint: motion", pushed["coordinate_3"], 0.1 * np.sin(3 * t))
+    compare("planar joint: force of the motion", pushed["reaction_y"], -1.8 * np.sin(3 * t), 1e-5)
+    # Where a stop begins, the force has a kink.
+    compare("planar joint: stops", bounced["coordinate_2"], bouncing(t, 1, 0.2, np.sqrt(1000)), 1e-4)
+    compare("given moment", spun["angle"], t**3 / 15)
+    compare("given moment, as it is written", run.series("moment")["moment"], 0.2 * t)
+
+    run = checks.Run(HERE / "joint_springs_3d.yaml")
+    cylinder, universal, gimbal, ball, free, spun = (
+        run.series(name) for name in ("cylinder", "universal", "gimbal", "ball", "free", "spun"))
+    compare("cylinder: torsional spring", cylinder["coordinate_1"], oscillator(t, 0.7, 0.1, 8, 0.2))
+    compare("cylinder: motor along the axis", cylinder["coordinate_2"], 0.75 * t**2)
+    compare("universal: spring", universal["coordinate_2"], oscillator(t, 0.6, 0.1, 8, 0.2))
+    compare("gimbal: spring", gimbal["coordinate_3"], oscillator(t, 0.7, 0, 8, 0, 1, 0.1))
+
+    def turn(body, axis):
+        return 2 * np.arctan2(body[f"rotation_{axis}"], body["rotation_w"])
+
+    compare("ball: spring", turn(ball, "y"), oscillator(t, 0.6, 0.1, 8, 0.2))
+    compare("free: torsional spring", turn(free, "x"), oscillator(t, 0.5, 0.1, 8, 0.2))
+    compare("free: spring along z", free["center_z"], oscillator(t, 2, 0.4, 50, 0.3))
+    compare("given moment in 3D", turn(spun, "y"), t**3 / 18)
+
+
+def convergence(report):
+    def swing(integrator, step):
+        run = checks.Run(HERE / "swung_pendulum.yaml", f"multibody.integrator={integrator}", f"variables.step={step}")
+        return run.series("pin")["coordinate"]
+
+    exact = swing("runge_kutta_4", 0.0005)
+    for integrator, order in (("runge_kutta_4", 4), ("midpoint", 2)):
+        errors = [np.abs(swing(integrator, step) - exact).max() for step in (0.04, 0.02, 0.01)]
+        print(f"       {integrator}: errors {', '.join(f'{e:.3g}' for e in errors)} with steps of 0.04, 0.02, 0.01 s")
+        report.check(f"{integrator}: order", np.log2(errors[1] / errors[2]), order - 0.3, order + 0.3)
+
+
+def accuracy(report):
+    loose = checks.Run(HERE / "loose_linkage.yaml", "outputs.frames.every={time: 10}").series("energy")
+    report.check("loose linkage: error of its constraints", loose["constraint_error"].max(), 1e-9, 1e-5)
+    tight = checks.Run(HERE / "loose_linkage.yaml", "multibody.accuracy=1e-12", "outputs.frames.every={time: 10}")
+    report.check("tight linkage: error of its constraints", tight.series("energy")["constraint_error"].max(), 0, 1e-12)
+
+
+def moored_bodies(report):
+    run = checks.Run(HERE / "moored_body.yaml")
+    still, mooring = run.series("still"), run.series("mooring")
+    for c in "xyz":
+        report.check(f"moored body at rest: way along {c}, in m", np.ptp(still[f"center_{c}"]), 0, 1e-7)
+    report.check("mooring line: tension less the given one, of it",
+                 np.abs(mooring["tension"] / np.hypot(8000, 18000) - 1).max(), 0, 1e-9)
+    report.check("mooring line: tension at the anchor less the given one, of it",
+                 np.abs(mooring["anchor_tension"] / 8000 - 1).max(), 0, 1e-9)
+    report.check("mooring line: length on the ground less 60 m, of it", np.abs(mooring["resting"] / 60 - 1).max(), 0,
+                 1e-9)
+    swung, series = run.series("swung"), run.series("energy")
+    total = series["total"] - 1.5e4 * 9.81 * swung["center_z"] - (1e4 * 9.81 + 18000) * still["center_z"]
+    print(f"       the body on two lines moves by {np.ptp(swung['center_x']):.3g}, {np.ptp(swung['center_y']):.3g} and "
+          f"{np.ptp(swung['center_z']):.3g} m; tension {run.series('line')['tension'].min():.3g} to "
+          f"{run.series('line')['tension'].max():.3g} N, on the ground "
+          f"{run.series('ground_line')['resting'].min():.3g} to {run.series('ground_line')['resting'].max():.3g} m")
+    report.check("body on two lines: energy drifts by, of the largest kinetic energy",
+                 np.ptp(total) / series["kinetic"].max(), 0, 1e-6)
+
+
 def trace(case, body, axes_of, every, last):
     """The particles of a body at some times, one over the other, later ones darker."""
     figure, axes = checks.new_plot(5, 5)
@@ -172,7 +271,7 @@ def main():
     checks.arguments(plot=plot)
     report = checks.Report()
     for test in (pendulum, double_pendulum, four_bar, torque_free, torque_free_euler, pushed_elastic_block,
-                 slider_crank, heavy_top):
+                 slider_crank, heavy_top, joint_springs, convergence, accuracy, moored_bodies):
         test(report)
     report.end()
 

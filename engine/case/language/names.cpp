@@ -46,13 +46,14 @@ class NameCheck {
             for (const auto& [name, body] : block.multibody->bodies)
                 known_[Target::rigid_body].push_back(name.text);
             known_[Target::joint] = namesOf(block.multibody->joints);
+            known_[Target::multibody_force] = namesOf(block.multibody->forces);
         }
         for (const particles::FieldInfo* field : fields::all())
             known_[Target::field].emplace_back(field->name);
         for (const auto& [target, key] : blocks)
             if (isSpoilt(root, key)) spoilt_.insert(target);
         if (root.find("multibody") && !block.multibody)
-            spoilt_.insert({Target::rigid_body, Target::joint});
+            spoilt_.insert({Target::rigid_body, Target::joint, Target::multibody_force});
         for (const NamedBody& body : block.bodies)
             if (body.good) judgeBody(body);
     }
@@ -91,6 +92,10 @@ class NameCheck {
             case Target::joint:
                 exists(reference, Target::joint, reference.name.text, "joint");
                 break;
+            case Target::multibody_force:
+                exists(reference, Target::multibody_force, reference.name.text,
+                       "force of multibody");
+                break;
         }
     }
 
@@ -109,10 +114,10 @@ class NameCheck {
         std::vector<Place> places;
     };
     static constexpr std::pair<Target, const char*> blocks[] = {
-        {Target::body, "bodies"},    {Target::material, "materials"},
-        {Target::shape, "geometry"}, {Target::method, "dynamics"},
-        {Target::layer, "loop"},     {Target::rigid_body, "multibody"},
-        {Target::joint, "multibody"}};
+        {Target::body, "bodies"},     {Target::material, "materials"},
+        {Target::shape, "geometry"},  {Target::method, "dynamics"},
+        {Target::layer, "loop"},      {Target::rigid_body, "multibody"},
+        {Target::joint, "multibody"}, {Target::multibody_force, "multibody"}};
 
     /// The block could not be read, for which there is a message: what it defines is not known.
     bool isSpoilt(const Node& root, const std::string& block) const {

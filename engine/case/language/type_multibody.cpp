@@ -45,8 +45,18 @@ void declareMultibody(Registry& registry) {
     d.optional("forces", &P::forces, components(Kind::multibody_force), "named forces");
     d.optional("constraints", &P::constraints, components(Kind::multibody_constraint),
                "named constraints, which close loops");
+    d.optional("integrator", &P::integrator,
+               choice<Integrator>(
+                   {{"runge_kutta_4", Integrator::runge_kutta_4,
+                     "the classical method of fourth order, four evaluations a step"},
+                    {"midpoint", Integrator::midpoint, "second order, two evaluations a step"}}),
+               "method by which the mechanism steps, always with equal steps");
     d.optional("step", &P::step, number(unit::time).above(0),
                "largest step of the integrator; default: the step of its layer");
+    d.optional(
+        "accuracy", &P::accuracy, number(unit::none).above(0).atMost(1e-3),
+        "of constraints: each step ends with their errors below it, in the case's length and "
+        "radian");
 }
 
 }  // namespace sphinx::language

@@ -31,8 +31,13 @@ Vector vectorOf(const input::Coordinates& a);
 /// Of t alone.
 FunctionOfTime functionOfTime(const input::FieldExpression& expression);
 
-/// What Declaration::builder of a force or constraint holds: adds it to the mechanism.
+/// Adds a force or constraint to the mechanism: what Declaration::builder of a constraint holds.
 using AddComponent = void (*)(const input::Component& component, Assembly& assembly);
+/// The same of a force.
+struct ForceBuilder {
+    ForceKind kind;
+    AddComponent add;
+};
 
 void declareJoints(input::Registry& registry);
 void declareForces(input::Registry& registry);

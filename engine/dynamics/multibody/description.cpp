@@ -37,14 +37,28 @@ class Describer {
     std::vector<Coordinate> coordinates(const JointParameters& p, JointKind kind) const;
     Joint joint(const Component& component);
     void checkTree();
-    bool checkAngles(const Component& component, const char* name,
-                     const std::vector<double>& values, std::size_t wanted);
+    /// Reports a list that is given and has another length.
+    void checkCount(const Component& component, const char* name, std::size_t given,
+                    std::size_t wanted, const char* what = "numbers");
 
     int dimension_;
     const MultibodyParameters& p_;
     input::Diagnostics& diagnostics_;
     Assembly assembly_;
 };
+
+/// How many coordinates of a joint are angles: they come first.
+std::size_t turningCount(JointKind kind) {
+    switch (kind) {
+        case JointKind::pin:
+        case JointKind::screw:
+        case JointKind::planar:
+        case JointKind::cylinder: return 1;
+        case JointKind::universal: return 2;
+        case JointKind::gimbal: return 3;
+        default: return 0;
+    }
+}
 
 bool isPhysical(const Matrix& inertia) {
     const Eigen::Vector3d I = Eigen::SelfAdjointEigenSolver<Matrix>(inertia).eigenvalues();
@@ -201,23 +215,47 @@ std::vector<Coordinate> Describer::coordinates(const JointParameters& p, JointKi
                 start(k, k < p.angles.size() ? p.angles[k] : 0,
                       k < p.rates.size() ? p.rates[k] : 0);
     }
-    if (all.size() != 1) return all;
-    Coordinate& c = all.front();
-    if (p.spring) c.spring = {p.spring->stiffness, p.spring->rest};
-    c.damping = p.damping;
-    if (p.limits)
-        c.limits = {p.limits->lower, p.limits->upper, p.limits->stiffness, p.limits->dissipation};
-    if (p.motor) c.motor = functionOfTime(*p.motor);
-    if (p.motion) c.motion = functionOfTime(*p.motion);
+    const auto act = [&](std::size_t k, const auto& given) {
+        Coordinate& c = all[k];
+        if (given.spring) c.spring = {given.spring->stiffness, given.spring->rest};
+        c.damping = given.damping;
+        if (given.limits)
+            c.limits = {given.limits->lower, given.limits->upper, given.limits->stiffness,
+                        given.limits->dissipation};
+        if (given.motor) c.motor = functionOfTime(*given.motor);
+        if (given.motion) c.motion = functionOfTime(*given.motion);
+    };
+    if (all.size() == 1) act(0, p);
+    // Angles are before ways.
+    const std::size_t angles = turningCount(kind);
+    for (std::size_t k = 0; k < std::min(angles, p.turning.size()); ++k) act(k, p.turning[k]);
+    for (std::size_t k = 0;
+         k < std::min(all.size() - std::min(all.size(), angles), p.sliding.size()); ++k)
+        act(angles + k, p.sliding[k]);
     return all;
 }
 
-bool Describer::checkAngles(const Component& component, const char* name,
-                            const std::vector<double>& values, std::size_t wanted) {
-    if (values.empty() || values.size() == wanted) return true;
-    report(component.placeOf(name), fmt::format("{} of {} has {} numbers, but must have {}", name,
-                                                component.name, values.size(), wanted));
-    return false;
+std::optional<Joint::Bushing> bushing(const JointParameters& p) {
+    if (p.turning_bushings.empty() && p.sliding_bushings.empty()) return {};
+    Joint::Bushing all;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (k < p.turning_bushings.size()) {
+            all.stiffness[k] = p.turning_bushings[k].stiffness;
+            all.damping[k] = p.turning_bushings[k].damping;
+        }
+        if (k < p.sliding_bushings.size()) {
+            all.stiffness[3 + k] = p.sliding_bushings[k].stiffness;
+            all.damping[3 + k] = p.sliding_bushings[k].damping;
+        }
+    }
+    return all;
+}
+
+void Describer::checkCount(const Component& component, const char* name, std::size_t given,
+                           std::size_t wanted, const char* what) {
+    if (given == 0 || given == wanted) return;
+    report(component.placeOf(name), fmt::format("{} of {} has {} {}, but must have {}", name,
+                                                component.name, given, what, wanted));
 }
 
 Vector threeOf(const std::vector<double>& values) {
@@ -240,11 +278,18 @@ Joint Describer::joint(const Component& component) {
     joint.coordinates = coordinates(p, kind);
     const std::size_t angles = joint.coordinates.size();
     if (kind == JointKind::universal || kind == JointKind::gimbal) {
-        checkAngles(component, "angles", p.angles, angles);
-        checkAngles(component, "rates", p.rates, angles);
+        checkCount(component, "angles", p.angles.size(), angles);
+        checkCount(component, "rates", p.rates.size(), angles);
     }
-    checkAngles(component, "turn", p.turn, 3);
-    checkAngles(component, "angular_velocity", p.angular_velocity, 3);
+    checkCount(component, "turn", p.turn.size(), 3);
+    checkCount(component, "angular_velocity", p.angular_velocity.size(), 3);
+    const std::size_t turning = turningCount(kind);
+    checkCount(component, "turning", p.turning.size(), turning, "entries");
+    checkCount(component, "sliding", p.sliding.size(), angles - std::min(angles, turning),
+               "entries");
+    checkCount(component, "turning", p.turning_bushings.size(), 3, "entries");
+    checkCount(component, "sliding", p.sliding_bushings.size(), 3, "entries");
+    joint.bushing = bushing(p);
     joint.turn = threeOf(p.turn);
     joint.angular_velocity = threeOf(p.angular_velocity);
     if (p.shift) joint.shift = vectorOf(*p.shift);
@@ -274,6 +319,7 @@ void Describer::checkTree() {
 
 void Describer::joints() {
     MechanismDescription& mechanism = assembly_.mechanism;
+    if (p_.gravity) mechanism.gravity = vectorOf(*p_.gravity);
     std::vector<const Component*> carrier(p_.bodies.size(), nullptr);
     for (const Component& component : p_.joints) {
         if (!jointFits(component, component.declaration->builder<JointKind>())) continue;
@@ -301,9 +347,16 @@ void Describer::joints() {
 }
 
 void Describer::components() {
-    for (const auto* list : {&p_.forces, &p_.constraints})
-        for (const Component& component : *list)
-            component.declaration->builder<AddComponent>()(component, assembly_);
+    for (const Component& component : p_.forces) {
+        const auto& builder = component.declaration->builder<ForceBuilder>();
+        builder.add(component, assembly_);
+        if (builder.kind == ForceKind::line && assembly_.mechanism.gravity.norm() == 0)
+            report(component.place, fmt::format("{} hangs by its weight: it needs the direction of "
+                                                "multibody.gravity",
+                                                component.name));
+    }
+    for (const Component& component : p_.constraints)
+        component.declaration->builder<AddComponent>()(component, assembly_);
 }
 
 }  // namespace
@@ -342,7 +395,8 @@ MechanismDescription describe(const MultibodyParameters& parameters, const World
     if (diagnostics.hasErrors()) return {};
     describer.components();
     MechanismDescription mechanism = describer.take();
-    if (parameters.gravity) mechanism.gravity = vectorOf(*parameters.gravity);
+    mechanism.integrator = parameters.integrator;
+    mechanism.accuracy = parameters.accuracy;
     mechanism.largest_step = parameters.step.value_or(0);
     return mechanism;
 }

@@ -22,6 +22,12 @@ struct GivenForceParameters {
     std::vector<input::FieldExpression> moment;
 };
 
+struct CatenaryParameters {
+    PointParameters from, to;
+    double length = 0, stiffness = 0, weight = 0;
+    bool on_ground = false;
+};
+
 std::vector<FunctionOfTime> threeOf(const std::vector<input::FieldExpression>& given,
                                     bool about_z) {
     if (given.empty()) return {};
@@ -30,6 +36,15 @@ std::vector<FunctionOfTime> threeOf(const std::vector<input::FieldExpression>& g
     for (std::size_t k = 0; k < given.size(); ++k)
         three[about_z ? 2 : k] = functionOfTime(given[k]);
     return three;
+}
+
+void addGivenForce(const input::Component& component, Assembly& assembly) {
+    const auto& p = component.as<GivenForceParameters>();
+    const int body = assembly.body(p.body);
+    const Vector at =
+        p.at ? vectorOf(*p.at) : assembly.mechanism.bodies[static_cast<std::size_t>(body)].center;
+    assembly.mechanism.forces.push_back(
+        GivenForce{{body, at}, threeOf(p.force, false), threeOf(p.moment, p.moment.size() == 1)});
 }
 
 void declarePoint(input::Registry& registry) {
@@ -55,12 +70,12 @@ void declareSpring(input::Registry& registry) {
     d.optional("damping", &P::damping, input::number(unit::mass_rate).atLeast(0), "d");
     d.optional("tension_only", &P::tension_only, input::boolean(),
                "a rope: it pulls where L is above L0, and never pushes");
-    d.builder(AddComponent([](const input::Component& c, Assembly& assembly) {
-        const P& p = c.as<P>();
-        assembly.mechanism.springs.push_back({assembly.point(p.from), assembly.point(p.to),
-                                              p.stiffness, p.rest_length, p.damping,
-                                              p.tension_only});
-    }));
+    d.builder(ForceBuilder{ForceKind::spring, [](const input::Component& c, Assembly& assembly) {
+                               const P& p = c.as<P>();
+                               assembly.mechanism.forces.push_back(PointSpring{
+                                   assembly.point(p.from), assembly.point(p.to), p.stiffness,
+                                   p.rest_length, p.damping, p.tension_only});
+                           }});
 }
 
 void declareGivenForce(input::Registry& registry) {
@@ -77,14 +92,38 @@ void declareGivenForce(input::Registry& registry) {
     d.check("", [](const P& p) -> std::string {
         return p.force.empty() && p.moment.empty() ? "give 'force', 'moment' or both" : "";
     });
-    d.builder(AddComponent([](const input::Component& c, Assembly& assembly) {
-        const P& p = c.as<P>();
-        const int body = assembly.body(p.body);
-        const Vector at = p.at ? vectorOf(*p.at)
-                               : assembly.mechanism.bodies[static_cast<std::size_t>(body)].center;
-        assembly.mechanism.forces.push_back(
-            {{body, at}, threeOf(p.force, false), threeOf(p.moment, p.moment.size() == 1)});
-    }));
+    d.builder(ForceBuilder{ForceKind::given, addGivenForce});
+}
+
+void declareCatenary(input::Registry& registry) {
+    using P = CatenaryParameters;
+    const auto point =
+        input::structure<PointParameters>(*registry.find(input::Kind::block, "multibody.point"));
+    auto& d = registry.declare<P>(input::Kind::multibody_force, "catenary");
+    d.summary(
+        "Mooring line: an elastic line that hangs in its weight between two points, at any time as "
+        "if at rest");
+    d.formula(
+        "elastic catenary of length L, EA and w: x = H/w (asinh(V/H) - asinh((V - w L)/H)) + H "
+        "L/EA, z = (sqrt(H^2 + V^2) - sqrt(H^2 + (V - w L)^2))/w + (V L - w L^2/2)/EA; what lies "
+        "on the ground bears H alone");
+    d.cite("Jonkman 2007");
+    d.required("from", &P::from, point, "its anchor");
+    d.required("to", &P::to, point, "its other end");
+    d.required("length", &P::length, input::number(unit::length).above(0), "L, without tension");
+    d.required("stiffness", &P::stiffness, input::number(unit::force).above(0),
+               "EA, force per strain");
+    d.required("weight", &P::weight, input::number(unit::force / unit::length).above(0),
+               "w, weight per length in the water, along multibody.gravity");
+    d.optional("on_ground", &P::on_ground, input::boolean(),
+               "the anchor lies on level ground, on which the line may lie, without friction");
+    d.builder(ForceBuilder{ForceKind::line, [](const input::Component& c, Assembly& assembly) {
+                               const P& p = c.as<P>();
+                               assembly.mechanism.forces.push_back(
+                                   HangingLine{assembly.point(p.from),
+                                               assembly.point(p.to),
+                                               {p.length, p.stiffness, p.weight, p.on_ground}});
+                           }});
 }
 
 }  // namespace
@@ -93,6 +132,7 @@ void declareForces(input::Registry& registry) {
     declarePoint(registry);
     declareSpring(registry);
     declareGivenForce(registry);
+    declareCatenary(registry);
 }
 
 }  // namespace sphinx::dynamics::multibody

@@ -24,18 +24,43 @@ struct OneCoordinate {
     const char* word;  ///< of the blocks
 };
 
+std::string blockName(const OneCoordinate& c, const char* name) {
+    return std::string("multibody.") + c.word + "_" + name;
+}
+
+/// Spring, damping, limits, motor and motion of a coordinate.
+template <class Parameters>
+void declareActing(const input::Registry& registry, input::Declared<Parameters>& d,
+                   const OneCoordinate& c) {
+    const auto block = [&](const char* name) -> const input::Declaration& {
+        return *registry.find(input::Kind::block, blockName(c, name));
+    };
+    d.optional("spring", &Parameters::spring, input::structure<SpringParameters>(block("spring")),
+               "spring on the coordinate");
+    d.optional("damping", &Parameters::damping,
+               input::number(c.effort * unit::time / c.value).atLeast(0),
+               "force or moment per rate of the coordinate");
+    d.optional("limits", &Parameters::limits, input::structure<LimitsParameters>(block("limits")),
+               "stops");
+    d.optional("motor", &Parameters::motor, input::fieldExpression(c.effort),
+               "force or moment on the coordinate, an expression of t");
+    d.optional("motion", &Parameters::motion, input::fieldExpression(c.value),
+               "prescribed coordinate, an expression of t; at the start it counts instead of "
+               "a given start");
+}
+
 void declareBlocks(input::Registry& registry, const OneCoordinate& c) {
     auto& spring = declareBlock<SpringParameters>(
-        registry, (std::string("multibody.") + c.word + "_spring").c_str(),
-        "Spring on the coordinate of a joint");
+        registry, blockName(c, "spring").c_str(),
+        c.value == unit::none ? "Torsional spring on the coordinate of a joint"
+                              : "Spring on the coordinate of a joint");
     spring.required("stiffness", &SpringParameters::stiffness,
                     input::number(c.effort / c.value).atLeast(0),
                     "force or moment per coordinate (angles in radian)");
     spring.optional("rest", &SpringParameters::rest, input::number(c.value),
                     "coordinate at which it exerts nothing");
-    auto& limits = declareBlock<LimitsParameters>(
-        registry, (std::string("multibody.") + c.word + "_limits").c_str(),
-        "Stops of a joint: springs beyond its limits");
+    auto& limits = declareBlock<LimitsParameters>(registry, blockName(c, "limits").c_str(),
+                                                  "Stops of a joint: springs beyond its limits");
     limits.formula("k (q - upper) (1 + d dq/dt) beyond the upper limit, likewise below the lower");
     limits.required("lower", &LimitsParameters::lower, input::number(c.value), "least coordinate");
     limits.required("upper", &LimitsParameters::upper, input::number(c.value),
@@ -48,6 +73,20 @@ void declareBlocks(input::Registry& registry, const OneCoordinate& c) {
     limits.check("upper", [](const LimitsParameters& p) -> std::string {
         return p.lower < p.upper ? "" : "upper must be above lower";
     });
+    declareActing(registry,
+                  declareBlock<CoordinateParameters>(
+                      registry, blockName(c, "coordinate").c_str(),
+                      "What acts on a coordinate of a joint that has several; {} is nothing"),
+                  c);
+    auto& bushing = declareBlock<BushingParameters>(
+        registry, blockName(c, "bushing").c_str(),
+        "Spring and damper of a joint that turns about a point; {} is nothing");
+    bushing.optional("stiffness", &BushingParameters::stiffness,
+                     input::number(c.effort / c.value).atLeast(0),
+                     "force or moment per way or angle from the drawing");
+    bushing.optional("damping", &BushingParameters::damping,
+                     input::number(c.effort * unit::time / c.value).atLeast(0),
+                     "force or moment per rate");
 }
 
 class JointDeclarer {
@@ -74,10 +113,6 @@ class JointDeclarer {
     }
     /// Start, spring, damping, limits, motor and motion of the one coordinate.
     void oneCoordinate(Declared& d, const OneCoordinate& c) {
-        const auto block = [&](const char* name) -> const input::Declaration& {
-            return *registry_.find(input::Kind::block,
-                                   std::string("multibody.") + c.word + "_" + name);
-        };
         if (c.value == unit::none) {
             d.optional("angle", &P::angle, input::number(unit::none),
                        "angle at the start, from the drawing; radian");
@@ -88,18 +123,23 @@ class JointDeclarer {
                        "displacement at the start, from the drawing");
             d.optional("speed", &P::speed, input::number(unit::velocity), "its rate at the start");
         }
-        d.optional("spring", &P::spring, input::structure<SpringParameters>(block("spring")),
-                   "spring on the coordinate");
-        d.optional("damping", &P::damping,
-                   input::number(c.effort * unit::time / c.value).atLeast(0),
-                   "force or moment per rate of the coordinate");
-        d.optional("limits", &P::limits, input::structure<LimitsParameters>(block("limits")),
-                   "stops");
-        d.optional("motor", &P::motor, input::fieldExpression(c.effort),
-                   "force or moment on the coordinate, an expression of t");
-        d.optional("motion", &P::motion, input::fieldExpression(c.value),
-                   "prescribed coordinate, an expression of t; at the start it counts instead of "
-                   "a given start");
+        declareActing(registry_, d, c);
+    }
+    /// Of a joint with several coordinates, in their order.
+    void several(Declared& d, const OneCoordinate& c, const char* text) {
+        const bool turns = c.value == unit::none;
+        d.optional(turns ? "turning" : "sliding", turns ? &P::turning : &P::sliding,
+                   input::list(input::structure<CoordinateParameters>(
+                       *registry_.find(input::Kind::block, blockName(c, "coordinate")))),
+                   text);
+    }
+    void bushings(Declared& d, const OneCoordinate& c, const char* text) {
+        const bool turns = c.value == unit::none;
+        d.optional(turns ? "turning" : "sliding",
+                   turns ? &P::turning_bushings : &P::sliding_bushings,
+                   input::list(input::structure<BushingParameters>(
+                       *registry_.find(input::Kind::block, blockName(c, "bushing")))),
+                   text);
     }
 
  private:
@@ -140,6 +180,8 @@ void declareJoints(input::Registry& registry) {
                    "displacement at the start");
         d.optional("velocity", &P::velocity, input::coordinates(unit::velocity),
                    "velocity at the start");
+        joints.several(d, turning, "what acts on the angle: a list of one");
+        joints.several(d, sliding, "what acts along the two axes across: a list of two; 2D: x, y");
     }
     {
         auto& d = joints.declare("cylinder", JointKind::cylinder,
@@ -152,6 +194,8 @@ void declareJoints(input::Registry& registry) {
         d.optional("displacement", &P::displacement, input::number(unit::length),
                    "way along the axis at the start");
         d.optional("speed", &P::speed, input::number(unit::velocity), "its rate at the start");
+        joints.several(d, turning, "what acts on the angle: a list of one");
+        joints.several(d, sliding, "what acts along the axis: a list of one");
     }
     {
         auto& d = joints.declare("screw", JointKind::screw,
@@ -174,12 +218,14 @@ void declareJoints(input::Registry& registry) {
         d.optional("second_axis", &P::second_axis, input::coordinates(unit::none),
                    "axis of the child, across the other; default: y");
         angles(d, "both angles at the start, radian");
+        joints.several(d, turning, "what acts on both angles: a list of two");
     }
     {
         auto& d = joints.declare("gimbal", JointKind::gimbal,
                                  "3D: turns about x, the moved y and the moved z");
         joints.places(d);
         angles(d, "the three angles at the start, radian");
+        joints.several(d, turning, "what acts on the angles: a list of three");
     }
     const auto turns = [](Declared& d) {
         d.optional("turn", &P::turn, input::list(input::number(unit::none)),
@@ -187,10 +233,14 @@ void declareJoints(input::Registry& registry) {
         d.optional("angular_velocity", &P::angular_velocity,
                    input::list(input::number(unit::frequency)), "angular velocity at the start");
     };
+    const char* bushing_text =
+        "springs and dampers on the angles about x, the moved y and the moved z, for the second "
+        "below 90 degrees: a list of three";
     {
         auto& d = joints.declare("ball", JointKind::ball, "3D: turns about a point");
         joints.places(d);
         turns(d);
+        joints.bushings(d, turning, bushing_text);
     }
     {
         auto& d = joints.declare("free", JointKind::free,
@@ -201,6 +251,8 @@ void declareJoints(input::Registry& registry) {
                    "displacement at the start");
         d.optional("velocity", &P::velocity, input::coordinates(unit::velocity),
                    "velocity at the start, of the joint's point");
+        joints.bushings(d, turning, bushing_text);
+        joints.bushings(d, sliding, "springs and dampers along x, y and z: a list of three");
     }
 }
 

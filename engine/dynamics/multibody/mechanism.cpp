@@ -6,7 +6,7 @@
 
 #include "dynamics/multibody/mechanism.h"
 
-#include <SimTKsimbody.h>
+#include "dynamics/multibody/elements.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,6 @@
 namespace sphinx::dynamics::multibody {
 namespace {
 
-SimTK::Vec3 simtk(const Vector& a) { return {a[0], a[1], a[2]}; }
-Vector eigen(const SimTK::Vec3& a) { return {a[0], a[1], a[2]}; }
-Matrix eigen(const SimTK::Rotation& R) {
-    Matrix m;
-    m << R.x()[0], R.y()[0], R.z()[0], R.x()[1], R.y()[1], R.z()[1], R.x()[2], R.y()[2], R.z()[2];
-    return m;
-}
 SimTK::Rotation rotation(const Matrix& m) {
     return SimTK::Rotation(SimTK::Mat33(m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2),
                                         m(2, 0), m(2, 1), m(2, 2)),
@@ -31,145 +24,18 @@ SimTK::Rotation turned(const Vector& turn) {
     if (angle == 0) return {};
     return {angle, SimTK::UnitVec3(simtk(turn / angle))};
 }
-/// Simbody's pairs have the turning part first.
-SimTK::SpatialVec spatial(const Vector& moment, const Vector& force) {
-    return {simtk(moment), simtk(force)};
-}
 
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Force or moment on a coordinate as a function of time.
-class Motor final : public SimTK::Force::Custom::Implementation {
- public:
-    Motor(const SimTK::MobilizedBody& body, int coordinate, FunctionOfTime value)
-        : body_(body), coordinate_(coordinate), value_(std::move(value)) {}
-    void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>&,
-                   SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector& mobility) const override {
-        body_.applyOneMobilityForce(state, SimTK::MobilizerUIndex(coordinate_),
-                                    value_(state.getTime()), mobility);
-    }
-    SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }
-
- private:
-    SimTK::MobilizedBody body_;
-    int coordinate_;
-    FunctionOfTime value_;
+/// A Runge-Kutta method each of whose stages needs only the one before: where in the step it is,
+/// and how much it counts.
+struct Stage {
+    double place, weight;
 };
-
-/// A spring and damper between two points, or a rope, which bears no compression.
-class PointSpringForce final : public SimTK::Force::Custom::Implementation {
- public:
-    PointSpringForce(const SimTK::MobilizedBody& from, const SimTK::Vec3& from_station,
-                     const SimTK::MobilizedBody& to, const SimTK::Vec3& to_station,
-                     const PointSpring& spring)
-        : from_(from), to_(to), from_station_(from_station), to_station_(to_station), p_(spring) {}
-    void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& bodies,
-                   SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const override {
-        const SimTK::Vec3 way = to_.findStationLocationInGround(state, to_station_) -
-                                from_.findStationLocationInGround(state, from_station_);
-        const double length = way.norm();
-        if (length == 0) return;
-        const SimTK::Vec3 e = way / length;
-        const double rate = SimTK::dot(to_.findStationVelocityInGround(state, to_station_) -
-                                           from_.findStationVelocityInGround(state, from_station_),
-                                       e);
-        if (p_.tension_only && length <= p_.rest_length) return;
-        double tension = p_.stiffness * (length - p_.rest_length) + p_.damping * rate;
-        if (p_.tension_only) tension = std::max(tension, 0.0);
-        from_.applyForceToBodyPoint(state, from_station_, tension * e, bodies);
-        to_.applyForceToBodyPoint(state, to_station_, -tension * e, bodies);
-    }
-    SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override {
-        const double stretch = (to_.findStationLocationInGround(state, to_station_) -
-                                from_.findStationLocationInGround(state, from_station_))
-                                   .norm() -
-                               p_.rest_length;
-        return p_.tension_only && stretch <= 0 ? 0 : 0.5 * p_.stiffness * stretch * stretch;
-    }
-
- private:
-    SimTK::MobilizedBody from_, to_;
-    SimTK::Vec3 from_station_, to_station_;
-    PointSpring p_;
-};
-
-/// Force at a point and moment, as functions of time.
-class GivenForce final : public SimTK::Force::Custom::Implementation {
- public:
-    GivenForce(const SimTK::MobilizedBody& body, const SimTK::Vec3& station, BodyForce given)
-        : body_(body), station_(station), given_(std::move(given)) {}
-    void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& bodies,
-                   SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const override {
-        const double t = state.getTime();
-        const auto at = [t](const std::vector<FunctionOfTime>& f) {
-            return SimTK::Vec3(f[0](t), f[1](t), f[2](t));
-        };
-        if (!given_.force.empty())
-            body_.applyForceToBodyPoint(state, station_, at(given_.force), bodies);
-        if (!given_.moment.empty()) body_.applyBodyTorque(state, at(given_.moment), bodies);
-    }
-    SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }
-
- private:
-    SimTK::MobilizedBody body_;
-    SimTK::Vec3 station_;
-    BodyForce given_;
-};
-
-Screw forceOf(const BodyLoad& load, const Screw& v) {
-    return load.force + load.answered - load.impedance * v;
+std::vector<Stage> stagesOf(Integrator integrator) {
+    if (integrator == Integrator::midpoint) return {{0, 0}, {0.5, 1}};
+    return {{0, 1.0 / 6}, {0.5, 1.0 / 3}, {0.5, 1.0 / 3}, {1, 1.0 / 6}};
 }
-
-/// What particles do to the bodies in a step.
-class ParticleLoads final : public SimTK::Force::Custom::Implementation {
- public:
-    ParticleLoads(const std::vector<SimTK::MobilizedBody>& bodies,
-                  const std::vector<BodyLoad>& loads)
-        : bodies_(bodies), loads_(loads) {}
-    bool dependsOnlyOnPositions() const override { return false; }
-    void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& forces,
-                   SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const override {
-        for (std::size_t b = 0; b < loads_.size(); ++b) {
-            const SimTK::SpatialVec V = bodies_[b].getBodyVelocity(state);
-            Screw v;
-            v << eigen(V[1]), eigen(V[0]);
-            const Screw f = forceOf(loads_[b], v);
-            forces[bodies_[b].getMobilizedBodyIndex()] += spatial(f.tail<3>(), f.head<3>());
-        }
-    }
-    SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }
-
- private:
-    const std::vector<SimTK::MobilizedBody>& bodies_;
-    const std::vector<BodyLoad>& loads_;
-};
-
-/// A coordinate as a function of time. Its derivatives are central differences over a fraction of
-/// the step: exact for parabolas, and to 1e-8 of the function's own for what a step resolves.
-class GivenMotion final : public SimTK::Motion::Custom::Implementation {
- public:
-    GivenMotion(FunctionOfTime value, double interval)
-        : value_(std::move(value)), interval_(interval) {}
-    SimTK::Motion::Level getLevel(const SimTK::State&) const override {
-        return SimTK::Motion::Position;
-    }
-    void calcPrescribedPosition(const SimTK::State& s, int, SimTK::Real* q) const override {
-        q[0] = value_(s.getTime());
-    }
-    void calcPrescribedPositionDot(const SimTK::State& s, int, SimTK::Real* rate) const override {
-        const double t = s.getTime(), d = interval_;
-        rate[0] = (value_(t + d) - value_(t - d)) / (2 * d);
-    }
-    void calcPrescribedPositionDotDot(const SimTK::State& s, int,
-                                      SimTK::Real* acceleration) const override {
-        const double t = s.getTime(), d = interval_;
-        acceleration[0] = (value_(t + d) - 2 * value_(t) + value_(t - d)) / (d * d);
-    }
-
- private:
-    FunctionOfTime value_;
-    double interval_;
-};
 
 }  // namespace
 
@@ -196,6 +62,7 @@ struct Mechanism::Simbody {
     SimTK::GeneralForceSubsystem forces{system};
     SimTK::Force::UniformGravity gravity{forces, matter, simtk(description.gravity)};
     std::vector<SimTK::MobilizedBody> bodies;  // in the order of the description
+    std::vector<Element*> elements;            // likewise; Simbody owns them
     std::vector<BodyLoad> loads;
     std::vector<Screw> passed;
     std::vector<double> work;
@@ -203,34 +70,48 @@ struct Mechanism::Simbody {
     double last_step = 0;
     bool constrained = false;
     bool prescribed = false;
+    TimeSpan span;  ///< the present step
+    std::vector<Stage> stages = stagesOf(description.integrator);
 
     explicit Simbody(MechanismDescription d) : description(std::move(d)) {}
 
     /// Place of a point of the drawing in the frame of its body: there centres of mass are origins.
-    SimTK::Vec3 station(const BodyPoint& p) const {
+    SimTK::Vec3 placeOf(const BodyPoint& p) const {
         return simtk(p.body == ground ? p.at
                                       : Vector(p.at - description.bodies[index(p.body)].center));
     }
     SimTK::MobilizedBody& mobilized(int body) {
         return body == ground ? matter.updGround() : bodies[index(body)];
     }
+    Station station(const BodyPoint& p) { return {mobilized(p.body), placeOf(p)}; }
+    /// The joint's frame on its parent and on its child.
+    SimTK::Transform onParent(const Joint& joint) const {
+        return {rotation(joint.frame), placeOf({joint.parent, joint.at_parent})};
+    }
+    SimTK::Transform onChild(const Joint& joint) const {
+        return {rotation(joint.frame), placeOf({joint.child, joint.at_child})};
+    }
     static std::size_t index(int body) { return static_cast<std::size_t>(body); }
 
-    void build(double time);
+    void build();
+    void start(double time);
+    void goOn(double time, const std::vector<double>& state);
     void addBody(const Joint& joint);
     SimTK::MobilizedBody makeMobilizer(const Joint& joint, SimTK::MobilizedBody& parent,
                                        const SimTK::Transform& on_parent, const SimTK::Body& child,
                                        const SimTK::Transform& on_child);
     void addCoordinateForces(const Joint& joint);
+    void addMotion(const Joint& joint);
+    Element* makeElementOf(const ForceElement& element);
     void setStart(const Joint& joint);
     void addConstraints();
+    /// A first step, before any is known: short enough for all given motions.
+    void findFirstSpan(double time);
+    void prescribe();
     /// Onto constraints and prescribed motions, and unit quaternions.
     void project();
     void advance(double dt);
     void realize();
-    double interval() const {
-        return description.largest_step > 0 ? 0.25 * description.largest_step : 1e-4;
-    }
 };
 
 void Mechanism::Simbody::addBody(const Joint& joint) {
@@ -239,10 +120,8 @@ void Mechanism::Simbody::addBody(const Joint& joint) {
     const SimTK::Body::Rigid child(SimTK::MassProperties(
         b.mass, SimTK::Vec3(0),
         SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))));
-    const SimTK::Rotation frame = rotation(joint.frame);
-    bodies[index(joint.child)] = makeMobilizer(
-        joint, mobilized(joint.parent), {frame, station({joint.parent, joint.at_parent})}, child,
-        {frame, station({joint.child, joint.at_child})});
+    bodies[index(joint.child)] =
+        makeMobilizer(joint, mobilized(joint.parent), onParent(joint), child, onChild(joint));
 }
 
 SimTK::MobilizedBody Mechanism::Simbody::makeMobilizer(const Joint& joint,
@@ -280,12 +159,46 @@ void Mechanism::Simbody::addCoordinateForces(const Joint& joint) {
             SimTK::Force::MobilityLinearStop(forces, body, q, c.limits->stiffness,
                                              c.limits->dissipation, c.limits->lower,
                                              c.limits->upper);
-        if (c.motor) SimTK::Force::Custom(forces, new Motor(body, static_cast<int>(k), c.motor));
-        if (c.motion) {
-            SimTK::Motion::Custom(body, new GivenMotion(c.motion, interval()));
-            prescribed = true;
-        }
+        if (c.motor) SimTK::Force::Custom(forces, makeMotor(body, static_cast<int>(k), c.motor));
     }
+    if (!joint.bushing) return;
+    SimTK::Vec6 stiffness, damping;
+    for (int k = 0; k < 6; ++k) {
+        stiffness[k] = joint.bushing->stiffness[index(k)];
+        damping[k] = joint.bushing->damping[index(k)];
+    }
+    SimTK::Force::LinearBushing(forces, mobilized(joint.parent), onParent(joint), body,
+                                onChild(joint), stiffness, damping);
+}
+
+/// Simbody prescribes all coordinates of a joint, or none: some of them are constraints.
+void Mechanism::Simbody::addMotion(const Joint& joint) {
+    SimTK::MobilizedBody& body = bodies[index(joint.child)];
+    std::vector<FunctionOfTime> given;
+    for (const Coordinate& c : joint.coordinates)
+        if (c.motion) given.push_back(c.motion);
+    if (given.empty()) return;
+    prescribed = true;
+    if (given.size() == joint.coordinates.size()) {
+        SimTK::Motion::Custom(body, makeMotion(given, span));
+        return;
+    }
+    for (std::size_t k = 0; k < joint.coordinates.size(); ++k)
+        if (joint.coordinates[k].motion)
+            SimTK::Constraint::PrescribedMotion(
+                matter, makeMotion(joint.coordinates[k].motion, span), body.getMobilizedBodyIndex(),
+                SimTK::MobilizerQIndex(static_cast<int>(k)));
+    constrained = true;
+}
+
+Element* Mechanism::Simbody::makeElementOf(const ForceElement& element) {
+    if (const auto* spring = std::get_if<PointSpring>(&element))
+        return makeElement(*spring, station(spring->from), station(spring->to));
+    if (const auto* given = std::get_if<GivenForce>(&element))
+        return makeElement(*given, station(given->at));
+    const auto& line = std::get<HangingLine>(element);
+    return makeElement(line.line, -description.gravity.normalized(), station(line.from),
+                       station(line.to));
 }
 
 void Mechanism::Simbody::setStart(const Joint& joint) {
@@ -309,14 +222,14 @@ void Mechanism::Simbody::setStart(const Joint& joint) {
 void Mechanism::Simbody::addConstraints() {
     using SimTK::Constraint;
     for (const Rod& rod : description.rods)
-        Constraint::Rod(mobilized(rod.from.body), station(rod.from), mobilized(rod.to.body),
-                        station(rod.to), rod.length);
+        Constraint::Rod(mobilized(rod.from.body), placeOf(rod.from), mobilized(rod.to.body),
+                        placeOf(rod.to), rod.length);
     for (const CoincidentPoints& c : description.coincident_points)
-        Constraint::Ball(mobilized(c.from.body), station(c.from), mobilized(c.to.body),
-                         station(c.to));
+        Constraint::Ball(mobilized(c.from.body), placeOf(c.from), mobilized(c.to.body),
+                         placeOf(c.to));
     for (const PointOnLine& c : description.points_on_lines)
         Constraint::PointOnLine(mobilized(c.line.body), SimTK::UnitVec3(simtk(c.along)),
-                                station(c.line), mobilized(c.point.body), station(c.point));
+                                placeOf(c.line), mobilized(c.point.body), placeOf(c.point));
     for (const CoordinateCoupler& c : description.couplers) {
         SimTK::Vector factors(static_cast<int>(c.terms.size()) + 1);
         SimTK::Array_<SimTK::MobilizedBodyIndex> which;
@@ -332,11 +245,12 @@ void Mechanism::Simbody::addConstraints() {
         Constraint::CoordinateCoupler(matter, new SimTK::Function::Linear(factors), which,
                                       coordinates);
     }
-    constrained = !description.rods.empty() || !description.coincident_points.empty() ||
-                  !description.points_on_lines.empty() || !description.couplers.empty();
+    constrained = constrained || !description.rods.empty() ||
+                  !description.coincident_points.empty() || !description.points_on_lines.empty() ||
+                  !description.couplers.empty();
 }
 
-void Mechanism::Simbody::build(double time) {
+void Mechanism::Simbody::build() {
     bodies.resize(description.bodies.size());
     loads.resize(bodies.size());
     passed.assign(bodies.size(), Screw::Zero());
@@ -354,67 +268,100 @@ void Mechanism::Simbody::build(double time) {
         }
         if (count == before) throw MechanismError("joints are no tree that begins at ground");
     }
-    for (const Joint& joint : description.joints) addCoordinateForces(joint);
-    for (const PointSpring& s : description.springs)
-        SimTK::Force::Custom(forces, new PointSpringForce(mobilized(s.from.body), station(s.from),
-                                                          mobilized(s.to.body), station(s.to), s));
-    for (const BodyForce& f : description.forces)
-        SimTK::Force::Custom(forces, new GivenForce(mobilized(f.at.body), station(f.at), f));
-    SimTK::Force::Custom(forces, new ParticleLoads(bodies, loads));
+    for (const Joint& joint : description.joints) {
+        addCoordinateForces(joint);
+        addMotion(joint);
+    }
+    for (const ForceElement& force : description.forces) {
+        elements.push_back(makeElementOf(force));
+        SimTK::Force::Custom(forces, elements.back());
+    }
+    SimTK::Force::Custom(forces, makeParticleLoads(bodies, loads));
     addConstraints();
     system.realizeTopology();
     now = system.getDefaultState();
+}
+
+void Mechanism::Simbody::start(double time) {
     now.setTime(time);
     for (const Joint& joint : description.joints) setStart(joint);
+    findFirstSpan(time);
     system.realize(now, SimTK::Stage::Instance);
     project();
     realize();
 }
 
+void Mechanism::Simbody::goOn(double time, const std::vector<double>& state) {
+    const auto q = index(now.getNQ()), u = index(now.getNU());
+    if (state.size() != q + u) throw MechanismError("the state is that of another mechanism");
+    now.setTime(time);
+    findFirstSpan(time);
+    for (std::size_t k = 0; k < q; ++k) now.updQ()[static_cast<int>(k)] = state[k];
+    for (std::size_t k = 0; k < u; ++k) now.updU()[static_cast<int>(k)] = state[q + k];
+    realize();
+}
+
+void Mechanism::Simbody::findFirstSpan(double time) {
+    span = {time, description.largest_step > 0 ? description.largest_step : 1};
+    if (description.largest_step > 0) return;
+    const auto resolved = [this] {
+        for (const Joint& joint : description.joints)
+            for (const Coordinate& c : joint.coordinates)
+                if (c.motion && !span.resolves(c.motion)) return false;
+        return true;
+    };
+    for (int k = 0; k < 20 && !resolved(); ++k) span.length /= 5;
+}
+
+void Mechanism::Simbody::prescribe() {
+    if (!prescribed) return;
+    system.realize(now, SimTK::Stage::Time);
+    system.prescribeQ(now);
+    system.realize(now, SimTK::Stage::Position);
+    system.prescribeU(now);
+}
+
 void Mechanism::Simbody::project() {
-    if (prescribed) {
-        system.realize(now, SimTK::Stage::Time);
-        system.prescribeQ(now);
-        system.realize(now, SimTK::Stage::Position);
-        system.prescribeU(now);
-    }
+    prescribe();
+    SimTK::ProjectOptions options(description.accuracy);
+    options.setOption(SimTK::ProjectOptions::UseInfinityNorm);
+    SimTK::ProjectResults results;
+    SimTK::Vector no_estimate;
+    system.realize(now, SimTK::Stage::Position);
+    system.projectQ(now, no_estimate, options, results);
     system.realize(now, SimTK::Stage::Velocity);
-    system.project(now, 1e-10);
+    system.projectU(now, no_estimate, options, results);
 }
 
 void Mechanism::Simbody::realize() { system.realize(now, SimTK::Stage::Acceleration); }
 
 void Mechanism::Simbody::advance(double h) {
-    static constexpr double place[] = {0, 0.5, 0.5, 1};
-    static constexpr double weight[] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
     const double t = now.getTime();
+    span = {t, h};
+    // What was known of given motions was so by the step before.
+    if (prescribed) now.setTime(t);
+    prescribe();
     const SimTK::Vector q = now.getQ();
     const SimTK::Vector u = now.getU();
     SimTK::Vector q_rate, u_rate;
     SimTK::Vector q_sum(q.size(), 0.0), u_sum(u.size(), 0.0);
-    for (int stage = 0; stage < 4; ++stage) {
-        if (stage > 0) {
-            now.setTime(t + place[stage] * h);
-            now.updQ() = q + (place[stage] * h) * q_rate;
-            now.updU() = u + (place[stage] * h) * u_rate;
-            if (prescribed) {
-                system.realize(now, SimTK::Stage::Time);
-                system.prescribeQ(now);
-                system.realize(now, SimTK::Stage::Position);
-                system.prescribeU(now);
-            }
+    for (const Stage& stage : stages) {
+        if (stage.place > 0) {
+            now.setTime(t + stage.place * h);
+            now.updQ() = q + (stage.place * h) * q_rate;
+            now.updU() = u + (stage.place * h) * u_rate;
+            prescribe();
         }
         realize();
         q_rate = now.getQDot();
         u_rate = now.getUDot();
-        q_sum += weight[stage] * q_rate;
-        u_sum += weight[stage] * u_rate;
+        if (stage.weight == 0) continue;
+        q_sum += stage.weight * q_rate;
+        u_sum += stage.weight * u_rate;
         for (std::size_t b = 0; b < bodies.size(); ++b) {
-            const SimTK::SpatialVec V = bodies[b].getBodyVelocity(now);
-            Screw v;
-            v << eigen(V[1]), eigen(V[0]);
-            passed[b] += h * weight[stage] * v;
-            work[b] += h * weight[stage] * forceOf(loads[b], v).dot(v);
+            const Screw v = screw(bodies[b].getBodyVelocity(now));
+            passed[b] += h * stage.weight * v;
+            work[b] += h * stage.weight * forceOf(loads[b], v).dot(v);
         }
     }
     now.setTime(t + h);
@@ -423,19 +370,24 @@ void Mechanism::Simbody::advance(double h) {
     project();
 }
 
-Mechanism::Mechanism(MechanismDescription description, double time)
+Mechanism::Mechanism(MechanismDescription description, double time,
+                     const std::vector<double>& state)
     : simbody_(std::make_unique<Simbody>(std::move(description))) {
     const auto unmet = [] {
         return MechanismError("no places of its joints meet the constraints");
     };
     try {
-        simbody_->build(time);
+        simbody_->build();
+        if (state.empty())
+            simbody_->start(time);
+        else
+            simbody_->goOn(time, state);
     } catch (const SimTK::Exception::Base& e) {
         if (simbody_->constrained) throw unmet();
         throw MechanismError(firstLine(e.getMessageText()));
     }
     // Lengths and angles, both of the size of one in case units of a sensible case.
-    if (!(constraintError() < 1e-6)) throw unmet();
+    if (state.empty() && !(constraintError() < 1e-6)) throw unmet();
 }
 Mechanism::~Mechanism() = default;
 
@@ -447,17 +399,6 @@ std::vector<double> Mechanism::state() const {
     for (int k = 0; k < s.getNQ(); ++k) values.push_back(s.getQ()[k]);
     for (int k = 0; k < s.getNU(); ++k) values.push_back(s.getU()[k]);
     return values;
-}
-
-void Mechanism::setState(double time, const std::vector<double>& state) {
-    SimTK::State& s = simbody_->now;
-    if (static_cast<int>(state.size()) != s.getNQ() + s.getNU())
-        throw MechanismError("the state is that of another mechanism");
-    s.setTime(time);
-    for (int k = 0; k < s.getNQ(); ++k) s.updQ()[k] = state[static_cast<std::size_t>(k)];
-    for (int k = 0; k < s.getNU(); ++k)
-        s.updU()[k] = state[static_cast<std::size_t>(s.getNQ() + k)];
-    simbody_->realize();
 }
 
 void Mechanism::step(double time, double dt, const std::vector<BodyLoad>& loads) {
@@ -488,10 +429,17 @@ void Mechanism::step(double time, double dt, const std::vector<BodyLoad>& loads)
     }
 }
 
-Screw Mechanism::received(int body) const {
+Received Mechanism::received(int body) const {
     const Simbody& s = *simbody_;
-    if (s.last_step == 0) return Screw::Zero();
-    return forceOf(s.loads[Simbody::index(body)], s.passed[Simbody::index(body)] / s.last_step);
+    const std::size_t b = Simbody::index(body);
+    if (s.last_step == 0) return {};
+    const BodyLoad& load = s.loads[b];
+    Received mean;
+    mean.total = forceOf(load, s.passed[b] / s.last_step);
+    mean.viscous = load.viscous;
+    mean.material = load.material;
+    mean.pressure = mean.total - load.viscous - load.material;
+    return mean;
 }
 
 const std::vector<double>& Mechanism::work() const { return simbody_->work; }
@@ -508,10 +456,8 @@ BodyMotion Mechanism::motion(int body) const {
     BodyMotion motion;
     motion.rotation = eigen(b.getBodyRotation(s.now));
     motion.center = eigen(b.getBodyOriginLocation(s.now));
-    const SimTK::SpatialVec V = b.getBodyVelocity(s.now);
-    motion.velocity << eigen(V[1]), eigen(V[0]);
-    const SimTK::SpatialVec A = b.getBodyAcceleration(s.now);
-    motion.acceleration << eigen(A[1]), eigen(A[0]);
+    motion.velocity = screw(b.getBodyVelocity(s.now));
+    motion.acceleration = screw(b.getBodyAcceleration(s.now));
     motion.passed = s.passed[Simbody::index(body)];
     return motion;
 }
@@ -530,6 +476,10 @@ JointReaction Mechanism::reaction(int joint) const {
     const SimTK::SpatialVec f = b.findMobilizerReactionOnBodyAtMInGround(s.now);
     return {eigen(b.findStationLocationInGround(s.now, b.getOutboardFrame(s.now).p())), eigen(f[1]),
             eigen(f[0])};
+}
+
+std::vector<double> Mechanism::force(int number) const {
+    return simbody_->elements[Simbody::index(number)]->values(simbody_->now);
 }
 
 MechanismEnergy Mechanism::energy() const {

@@ -6,13 +6,17 @@
 // words of a case. mechanism.cpp is compiled as C++17, which Simbody 3.7 wants: this header has
 // nothing newer.
 
+#include "dynamics/multibody/catenary.h"
+
 #include <Eigen/Core>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace sphinx::dynamics::multibody {
@@ -75,6 +79,12 @@ struct Joint {
     Matrix frame = Matrix::Identity();  ///< its axes x, y, z as columns, in the drawing
     double lead = 0;                    ///< screw: way per radian
     std::vector<Coordinate> coordinates;
+    /// Of ball and free, in place of springs on coordinates: springs and dampers on the angles
+    /// about x, the moved y and the moved z of the frame, and on the shift along its axes.
+    struct Bushing {
+        std::array<double, 6> stiffness{}, damping{};
+    };
+    std::optional<Bushing> bushing;
     /// Of ball and free, in place of coordinates: a turn, and how it goes on.
     Vector turn = Vector::Zero();  ///< angle times axis
     Vector shift = Vector::Zero();
@@ -97,11 +107,21 @@ struct PointSpring {
 };
 
 /// Force and moment on a body, axes of the drawing, which stay.
-struct BodyForce {
+struct GivenForce {
     BodyPoint at;
     std::vector<FunctionOfTime> force;   ///< empty or three
     std::vector<FunctionOfTime> moment;  ///< empty or three
 };
+
+/// A line that hangs between two points, from an anchor to another.
+struct HangingLine {
+    BodyPoint from, to;
+    CatenaryLine line;
+};
+
+using ForceElement = std::variant<PointSpring, GivenForce, HangingLine>;
+/// In the order of ForceElement.
+enum class ForceKind { spring, given, line };
 
 struct Rod {
     BodyPoint from, to;
@@ -125,26 +145,46 @@ struct CoordinateCoupler {
     double offset = 0;
 };
 
+/// With equal steps, and nothing kept of earlier ones.
+enum class Integrator {
+    runge_kutta_4,  ///< the classical method of fourth order
+    midpoint,       ///< of second order, at half the cost
+};
+
 struct MechanismDescription {
     std::vector<RigidBody> bodies;
     std::vector<Joint> joints;  ///< one for each body, as a tree
     Vector gravity = Vector::Zero();
-    std::vector<PointSpring> springs;
-    std::vector<BodyForce> forces;
+    std::vector<ForceElement> forces;
     std::vector<Rod> rods;
     std::vector<CoincidentPoints> coincident_points;
     std::vector<PointOnLine> points_on_lines;
     std::vector<CoordinateCoupler> couplers;
+    Integrator integrator = Integrator::runge_kutta_4;
     double largest_step = 0;  ///< of the integrator; 0: the step that is asked for
+    double accuracy = 1e-10;  ///< of constraints, at the end of each step
 };
 
 /// What acts on a body from its particles in a step.
 struct BodyLoad {
-    Screw force = Screw::Zero();  ///< force and moment about the centre of mass
+    // Forces and moments about the centre of mass.
+    Screw pressure = Screw::Zero();  ///< of fluids
+    Screw viscous = Screw::Zero();   ///< of fluids
+    Screw material = Screw::Zero();  ///< of elastic material, and of what pushes that
     /// Z and b of an answer b - Z (v, omega) to the body's motion within the step: force and moment
     /// about the centre of mass.
     ScrewMatrix impedance = ScrewMatrix::Zero();
     Screw answered = Screw::Zero();
+
+    Screw force() const { return pressure + viscous + material; }
+};
+
+/// Means over a step, forces and moments about the centre of mass.
+struct Received {
+    Screw total = Screw::Zero();
+    Screw pressure = Screw::Zero();  ///< with the answer of the fluid
+    Screw viscous = Screw::Zero();
+    Screw material = Screw::Zero();
 };
 
 struct BodyMotion {
@@ -157,7 +197,8 @@ struct BodyMotion {
     Screw passed = Screw::Zero();
 };
 
-/// Of the parent on the child at the joint: force and moment about the joint, axes of the drawing.
+/// Of the parent on the child at the joint, also by springs, dampers, stops, motors and given
+/// motions of the joint: force and moment about the joint, axes of the drawing.
 struct JointReaction {
     Vector at = Vector::Zero();
     Vector force = Vector::Zero();
@@ -167,7 +208,7 @@ struct JointReaction {
 struct MechanismEnergy {
     double kinetic = 0;
     double gravity = 0;
-    double springs = 0;  ///< of springs, ropes and stops
+    double springs = 0;  ///< of springs, ropes, lines and stops
 };
 
 /// It cannot be assembled, or its equations have no solution.
@@ -177,25 +218,25 @@ class MechanismError : public std::runtime_error {
 };
 
 /// The equations of motion by Simbody (Sherman, Seth & Delp 2011,
-/// doi:10.1016/j.piutam.2011.04.023), stepped by the classical Runge-Kutta method of fourth order
-/// with equal steps, each of which ends with a projection onto the constraints. It keeps nothing of
-/// earlier steps: what state() gives is all that the motion depends on.
+/// doi:10.1016/j.piutam.2011.04.023), stepped by a Runge-Kutta method with equal steps, each of
+/// which ends with a projection onto the constraints. It keeps nothing of earlier steps: what
+/// state() gives is all that the motion depends on.
 class Mechanism {
  public:
-    /// Throws MechanismError.
-    Mechanism(MechanismDescription description, double time);
+    /// Assembled where its joints start; or in a state that state() has given, which constraints
+    /// may have led far from there. Throws MechanismError.
+    Mechanism(MechanismDescription description, double time, const std::vector<double>& state = {});
     ~Mechanism();
 
     const MechanismDescription& description() const;
 
     /// Coordinates, then rates.
     std::vector<double> state() const;
-    void setState(double time, const std::vector<double>& state);
 
     /// From `time` on by dt; a load for each body. Throws MechanismError.
     void step(double time, double dt, const std::vector<BodyLoad>& loads);
-    /// Mean force and moment of the particles on a body in the last step, about its centre of mass.
-    Screw received(int body) const;
+    /// What a body got of its particles in the last step.
+    Received received(int body) const;
     /// Work of the particles on each body since the start; energy. State besides state().
     const std::vector<double>& work() const;
     void setWork(const std::vector<double>& work);
@@ -207,6 +248,9 @@ class Mechanism {
     };
     Kinematics coordinate(int joint, int coordinate) const;
     JointReaction reaction(int joint) const;
+    /// Of an entry of `forces`, by its kind. Spring: length, its rate, tension. Given: force and
+    /// moment, three each. Line: tension at `to` and at `from`, level part, length on the ground.
+    std::vector<double> force(int number) const;
     MechanismEnergy energy() const;
     /// Largest error of the constraints, of positions.
     double constraintError() const;

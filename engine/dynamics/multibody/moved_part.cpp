@@ -79,39 +79,39 @@ void MovedPart<Dim>::addLoad(const RigidBody& body, const BodyMotion& motion, Bo
     loaded_.clear();
     for (std::size_t n = 0; n < part_.size(); ++n)
         if (elastic || isLoaded(part_[n])) loaded_.push_back(part_[n]);
-    // Force and moment, Z u with its moment, and the upper triangle of the matrix.
-    using Sum = std::array<double, 6 + 6 + 21>;
+    // Three forces with their moments, Z u with its moment, and the upper triangle of the matrix.
+    using Sum = std::array<double, 4 * 6 + 21>;
     const Sum sum = sumAll(loaded_.size(), [&](std::size_t n) {
         const std::size_t i = loaded_[n];
         const auto A = motionAt(armOf(i, body, motion));
-        Vec<Dim> f = Vec<Dim>::Zero();
         Matrix Z = Matrix::Zero();
         Vector u = Vector::Zero();
         if (impedance_ && (*impedance_)[i].trace() > 0) {
             Z.template topLeftCorner<Dim, Dim>() = (*impedance_)[i];
             u = inSpace<Dim>((*seen_)[i]);
         }
+        Vec<Dim> pressure = Vec<Dim>::Zero(), viscous = pressure, material = pressure;
+        if (pressure_force_) pressure = (*pressure_force_)[i];
+        if (viscous_force_) viscous = (*viscous_force_)[i];
         if (elastic) {
-            f = mass_[i] * (acceleration_[i] - gravity);
-            f += (Z * (inSpace<Dim>(velocity_[i]) - u)).template head<Dim>();
-        } else {
-            if (pressure_force_) f += (*pressure_force_)[i];
-            if (viscous_force_) f += (*viscous_force_)[i];
+            material = mass_[i] * (acceleration_[i] - gravity) - pressure - viscous;
+            material += (Z * (inSpace<Dim>(velocity_[i]) - u)).template head<Dim>();
         }
-        const Screw force = A.transpose() * inSpace<Dim>(f);
-        const Screw answered = A.transpose() * (Z * u);
         const ScrewMatrix impedance = A.transpose() * Z * A;
         Sum terms;
         std::size_t k = 0;
-        for (int c = 0; c < 6; ++c) terms[k++] = force[c];
-        for (int c = 0; c < 6; ++c) terms[k++] = answered[c];
+        for (const Vector& f : {inSpace<Dim>(pressure), inSpace<Dim>(viscous),
+                                inSpace<Dim>(material), Vector(Z * u)}) {
+            const Screw force = A.transpose() * f;
+            for (int c = 0; c < 6; ++c) terms[k++] = force[c];
+        }
         for (int row = 0; row < 6; ++row)
             for (int column = row; column < 6; ++column) terms[k++] = impedance(row, column);
         return terms;
     });
     std::size_t k = 0;
-    for (int c = 0; c < 6; ++c) load.force[c] += sum[k++];
-    for (int c = 0; c < 6; ++c) load.answered[c] += sum[k++];
+    for (Screw* force : {&load.pressure, &load.viscous, &load.material, &load.answered})
+        for (int c = 0; c < 6; ++c) (*force)[c] += sum[k++];
     for (int row = 0; row < 6; ++row)
         for (int column = row; column < 6; ++column, ++k) {
             load.impedance(row, column) += sum[k];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "dynamics/multibody/mechanism.h"
 #include "input/declaration/component.h"
 #include "input/expressions/expression.h"
 #include "input/types/values.h"
@@ -34,6 +35,19 @@ struct LimitsParameters {
     double dissipation = 0;
 };
 
+/// What acts on a coordinate of a joint that has several.
+struct CoordinateParameters {
+    std::optional<SpringParameters> spring;
+    double damping = 0;
+    std::optional<LimitsParameters> limits;
+    std::optional<input::FieldExpression> motor, motion;
+};
+/// The same of an angle or shift of a joint that has no coordinates.
+struct BushingParameters {
+    double stiffness = 0;
+    double damping = 0;
+};
+
 /// An entry of `joints`. Each type has some of these.
 struct JointParameters {
     input::Name parent, child;
@@ -49,6 +63,8 @@ struct JointParameters {
     double damping = 0;
     std::optional<LimitsParameters> limits;
     std::optional<input::FieldExpression> motor, motion;
+    std::vector<CoordinateParameters> turning, sliding;
+    std::vector<BushingParameters> turning_bushings, sliding_bushings;
 };
 
 /// A point of a body: the body, and where it is in the drawing.
@@ -61,7 +77,9 @@ struct MultibodyParameters {
     std::optional<input::Coordinates> gravity;
     std::vector<std::pair<input::Name, BodyParameters>> bodies;
     std::vector<input::Component> joints, forces, constraints;
+    Integrator integrator = Integrator::runge_kutta_4;
     std::optional<double> step;  ///< largest step of the integrator, time
+    double accuracy = MechanismDescription{}.accuracy;
 
     /// Whether one of its bodies has particles of that body of the case.
     bool carries(std::string_view body) const {

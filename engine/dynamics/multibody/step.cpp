@@ -3,9 +3,11 @@
 #include "dynamics/multibody/step.h"
 
 #include "core/errors.h"
+#include "core/log.h"
 #include "dynamics/methods.h"
 #include "dynamics/multibody/components.h"
 #include "dynamics/multibody/description.h"
+#include "dynamics/multibody/linear_algebra.h"
 #include "dynamics/multibody/moved_part.h"
 
 #include <fmt/format.h>
@@ -56,12 +58,10 @@ void Step<Dim>::prepare() {
     MechanismDescription description =
         describe<Dim>(*context_->multibody, context_->world, diagnostics);
     diagnostics.throwIfErrors();
+    keepLinearAlgebraToOneThread();
     try {
-        mechanism_ = std::make_unique<Mechanism>(std::move(description), time_);
-        if (!state_.empty()) {
-            mechanism_->setState(time_, state_);
-            mechanism_->setWork(work_);
-        }
+        mechanism_ = std::make_unique<Mechanism>(std::move(description), time_, state_);
+        if (!state_.empty()) mechanism_->setWork(work_);
     } catch (const MechanismError& e) {
         throw PhysicsError(fmt::format("the mechanism cannot be assembled: {}", e.what()));
     }
@@ -106,6 +106,13 @@ void Step<Dim>::transfer(Archive& archive) {
     archive.value("time", time_);
     archive.value("state", state_);
     archive.value("work", work_);
+    std::string used = linearAlgebra();
+    archive.value("linear_algebra", used);
+    if (used != linearAlgebra())
+        log::warning(
+            fmt::format("the restart was written with the linear algebra of {}, this system "
+                        "has {}: the last bits of the mechanism may differ",
+                        used, linearAlgebra()));
 }
 
 template <int Dim>
@@ -204,7 +211,7 @@ void declareStep(input::Registry& registry) {
     d.summary("Step of the rigid bodies and joints of the block multibody");
     d.formula(
         "the equations of motion of the mechanism, under gravity, its springs and motors and what "
-        "acts on the particles of its bodies, by the Runge-Kutta method of fourth order");
+        "acts on the particles of its bodies, by a Runge-Kutta method");
     d.cite("guide", "1.2").cite("Sherman, Seth & Delp 2011");
     d.optional("parts", &P::parts, input::list(input::partReference({"elastic", "rigid"})),
                "what it moves; filled in: the particles of all bodies of multibody");

@@ -21,7 +21,8 @@ enum class Target {
     field,
     rigid_body,
     rigid_body_or_ground,
-    joint
+    joint,
+    multibody_force
 };
 
 /// A name that was read, to be checked once everything that could be named is known.

@@ -139,6 +139,7 @@ Type<Name> fieldReference();  ///< a name of particles/fields.h
 /// A body of the block `multibody`, or the ground.
 Type<Name> rigidBodyReference(bool or_ground = false);
 Type<Name> jointReference();
+Type<Name> multibodyForceReference();  ///< an entry of `multibody.forces`
 /// A name that the author chooses here; see checkNewName().
 Type<Name> newName();
 

@@ -22,6 +22,7 @@ const char* targetName(Target target) {
         case Target::rigid_body: return "body of multibody";
         case Target::rigid_body_or_ground: return "body of multibody, or ground";
         case Target::joint: return "joint";
+        case Target::multibody_force: return "force of multibody";
     }
     return "";
 }
@@ -103,6 +104,7 @@ Type<Name> rigidBodyReference(bool or_ground) {
     return reference(or_ground ? Target::rigid_body_or_ground : Target::rigid_body);
 }
 Type<Name> jointReference() { return reference(Target::joint); }
+Type<Name> multibodyForceReference() { return reference(Target::multibody_force); }
 Type<Name> newName() { return Type<Name>(std::make_shared<NewNameType>()); }
 
 bool checkNewName(const std::string& name, const Place& place, Diagnostics& diagnostics) {
