@@ -21,35 +21,41 @@ class Hanging {
           V_(V),
           lies_(line.on_ground && V < line.weight * line.length),
           below_(lies_ ? 0 : V - line.weight * line.length),
+          hanging_(lies_ ? V / line.weight : line.length),
           T_(std::hypot(H, V)),
-          T_below_(std::hypot(H, below_)),
-          sinh_(H > 0 ? std::asinh(V / H) - std::asinh(below_ / H) : 0) {}
+          T_below_(std::hypot(H, below_)) {
+        if (H == 0) return;
+        // sinh(asinh(V/H) - asinh(below/H)), without differences of what is nearly equal.
+        const double c = V * below_ > 0
+                             ? (V * V + below_ * below_ + H * H) / (T_ * T_below_ + V * below_)
+                             : (T_ * T_below_ - V * below_) / (H * H);
+        sinh_ = line.weight * hanging_ * (c + 1) / (T_ + T_below_);
+        angle_ = std::asinh(sinh_);
+    }
 
-    double resting() const { return lies_ ? p_.length - V_ / p_.weight : 0; }
+    double resting() const { return p_.length - hanging_; }
     double below() const { return below_; }
     double across() const {
-        return resting() + H_ * (sinh_ / p_.weight + p_.length / p_.stiffness);
+        return resting() + H_ * (angle_ / p_.weight + p_.length / p_.stiffness);
     }
     double up() const {
-        const double hanging = p_.length - resting();
-        return (T_ - T_below_) / p_.weight + hanging * (V_ + below_) / (2 * p_.stiffness);
+        return hanging_ * (V_ + below_) * (1 / (T_ + T_below_) + 1 / (2 * p_.stiffness));
     }
     /// d across/dH, d across/dV = d up/dH, d up/dV.
     void slopes(double& xH, double& xV, double& zV) const {
-        const double w = p_.weight;
-        const double slope_below = T_below_ > 0 ? below_ / T_below_ : 0;
-        const double soft = p_.length / p_.stiffness;
-        xH = (sinh_ - V_ / T_ + slope_below) / w + soft;
-        xV = (H_ / T_ - (T_below_ > 0 ? H_ / T_below_ : 1)) / w;
-        zV = (V_ / T_ - slope_below) / w + (lies_ ? V_ / (w * p_.stiffness) : soft);
+        const double w = p_.weight, EA = p_.stiffness;
+        const double bend = H_ * H_ / (T_ * T_below_) * sinh_;
+        xH = (angle_ - bend) / w + p_.length / EA;
+        xV = lies_ ? (H_ / T_ - 1) / w : (H_ / T_ - H_ / T_below_) / w;
+        zV = bend / w + hanging_ / EA;
     }
     double energy(double across, double up) const {
-        const double w = p_.weight, EA = p_.stiffness, H2 = H_ * H_;
-        const double hanging = p_.length - resting();
-        const double W =
-            resting() * (H_ + H2 / (2 * EA)) +
-            (V_ * T_ - below_ * T_below_ + H2 * sinh_) / (2 * w) +
-            (H2 * hanging + (V_ * V_ * V_ - below_ * below_ * below_) / (3 * w)) / (2 * EA);
+        const double EA = p_.stiffness, H2 = H_ * H_;
+        const double T = T_ + T_below_, V = V_ + below_;
+        const double W = resting() * (H_ + H2 / (2 * EA)) +
+                         0.25 * hanging_ * (T > 0 ? T + V * V / T : 0) +
+                         H2 * angle_ / (2 * p_.weight) +
+                         hanging_ * (H2 + (V_ * V_ + V_ * below_ + below_ * below_) / 3) / (2 * EA);
         return H_ * across + V_ * up - W;
     }
 
@@ -57,7 +63,8 @@ class Hanging {
     CatenaryLine p_;
     double H_, V_;
     bool lies_;
-    double below_, T_, T_below_, sinh_;
+    double below_, hanging_, T_, T_below_;
+    double sinh_ = 0, angle_ = 0;
 };
 
 CatenaryShape shape(const CatenaryLine& line, double H, double V, double across, double up) {

@@ -10,7 +10,7 @@
 using namespace sphinx::dynamics::multibody;
 
 namespace {
-constexpr double stiff = 1e13;
+constexpr double stiff = 1e16;
 }
 
 TEST_CASE("a line that does not stretch hangs as the catenary") {
@@ -43,6 +43,7 @@ TEST_CASE("a line longer than it needs to be lies loose on the ground") {
     CHECK(s.across == 0);
     CHECK(s.upper == Approx(30 * 50));
     CHECK(s.resting == Approx(50));
+    CHECK(hang({100, stiff, 30, true}, 20, 0).energy == 0);
 }
 
 TEST_CASE("a light line is a spring") {
@@ -89,6 +90,21 @@ TEST_CASE("the forces of a line are the slopes of its energy, wherever its end i
                 // Its weight is held at both ends, and by the ground.
                 CHECK(s.upper - s.lower == Approx(w * (L - s.resting)).epsilon(1e-9));
             }
+}
+
+TEST_CASE("a stiff line at the point of being taut") {
+    const double w = 30, L = 100;
+    for (const double EA : {1e6, 1e9, 1e12})
+        for (const bool ground : {false, true})
+            for (const double angle : {0.0, 0.01, 0.5, 1.5, 1.57})
+                for (const double slack : {1e-2, 1e-5, 0.0, -1e-5, -1e-2}) {
+                    CAPTURE(EA, ground, angle, slack);
+                    const double distance = L * (1 - slack);
+                    const CatenaryShape s = hang({L, EA, w, ground}, distance * std::cos(angle),
+                                                 distance * std::sin(angle));
+                    CHECK(s.upper - s.lower == Approx(w * (L - s.resting)).epsilon(1e-6));
+                    if (slack < 0) CHECK(std::hypot(s.across, s.upper) > 0.99 * EA * -slack);
+                }
 }
 
 TEST_CASE("whoever is below the ground has no line") {
