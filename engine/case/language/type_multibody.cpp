@@ -53,10 +53,14 @@ void declareMultibody(Registry& registry) {
                "method by which the mechanism steps, always with equal steps");
     d.optional("step", &P::step, number(unit::time).above(0),
                "largest step of the integrator; default: the step of its layer");
-    d.optional(
-        "accuracy", &P::accuracy, number(unit::none).above(0).atMost(1e-3),
-        "of constraints: each step ends with their errors below it, in the case's length and "
-        "radian");
+    d.optional("accuracy", &P::accuracy, number(unit::none).above(0).atMost(1e-3),
+               "of constraints, default 1e-10: each step ends with their errors below it, in the "
+               "case's length and radian");
+    d.check("accuracy", [](const P& p) -> std::string {
+        return !p.accuracy || p.constrains()
+                   ? ""
+                   : "accuracy is that of constraints, and the mechanism has none";
+    });
 }
 
 }  // namespace sphinx::language

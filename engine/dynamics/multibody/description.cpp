@@ -396,7 +396,7 @@ MechanismDescription describe(const MultibodyParameters& parameters, const World
     describer.components();
     MechanismDescription mechanism = describer.take();
     mechanism.integrator = parameters.integrator;
-    mechanism.accuracy = parameters.accuracy;
+    mechanism.accuracy = parameters.accuracy.value_or(mechanism.accuracy);
     mechanism.largest_step = parameters.step.value_or(0);
     return mechanism;
 }

@@ -305,9 +305,13 @@ void Mechanism::Simbody::findFirstSpan(double time) {
     span = {time, description.largest_step > 0 ? description.largest_step : 1};
     if (description.largest_step > 0) return;
     const auto resolved = [this] {
-        for (const Joint& joint : description.joints)
-            for (const Coordinate& c : joint.coordinates)
-                if (c.motion && !span.resolves(c.motion)) return false;
+        try {
+            for (const Joint& joint : description.joints)
+                for (const Coordinate& c : joint.coordinates)
+                    if (c.motion && !span.resolves(c.motion)) return false;
+        } catch (const std::exception&) {
+            return false;  // it asks a table for what that does not have
+        }
         return true;
     };
     for (int k = 0; k < 20 && !resolved(); ++k) span.length /= 5;

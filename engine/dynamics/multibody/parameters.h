@@ -78,9 +78,20 @@ struct MultibodyParameters {
     std::vector<std::pair<input::Name, BodyParameters>> bodies;
     std::vector<input::Component> joints, forces, constraints;
     Integrator integrator = Integrator::runge_kutta_4;
-    std::optional<double> step;  ///< largest step of the integrator, time
-    double accuracy = MechanismDescription{}.accuracy;
+    std::optional<double> step;      ///< largest step of the integrator, time
+    std::optional<double> accuracy;  ///< of constraints, length or radian
 
+    /// Whether there are constraints: those of the block, and motions of some coordinates of
+    /// joints.
+    bool constrains() const {
+        const auto isDriven = [](const CoordinateParameters& c) { return c.motion.has_value(); };
+        return !constraints.empty() ||
+               std::ranges::any_of(joints, [&](const input::Component& joint) {
+                   const auto& p = joint.as<JointParameters>();
+                   return std::ranges::any_of(p.turning, isDriven) ||
+                          std::ranges::any_of(p.sliding, isDriven);
+               });
+    }
     /// Whether one of its bodies has particles of that body of the case.
     bool carries(std::string_view body) const {
         const auto isOf = [&](const input::Name& name) {
