@@ -72,6 +72,12 @@ class BlownUp(Promise):
         self.assertLess(max(left, below), 0.1)
         self.assertLess(max(right, above), 0.5)
 
+    def test_motion_that_stops_being_a_number(self):
+        said = self.sphinx(self.case("linkage_2d"), self.folder / "out", "--set",
+                           "multibody.joints.crank.motion=0.5*sqrt(1.005 - t) - 0.5", expect=3)
+        self.assertRegex(self.fails(said), r"^error: the mechanism cannot go on at time (0\.99\d*|1(\.0\d*)?): a motion of "
+                                           r"crank is -?nan")
+
     def test_blow_up(self):
         # Far above the limit of stability: particles fly apart within some steps.
         output, message = self.stops("loop.dt=0.02", "loop.steps=" + LOOP)

@@ -28,8 +28,8 @@ class Assembly {
 
 /// A point or vector of a case: in 2D at z = 0.
 Vector vectorOf(const input::Coordinates& a);
-/// Of t alone.
-FunctionOfTime functionOfTime(const input::FieldExpression& expression);
+/// Of t alone. It throws MechanismError, with what it is of, where its value is no number.
+FunctionOfTime functionOfTime(const input::FieldExpression& expression, std::string what);
 
 /// Adds a force or constraint to the mechanism: what Declaration::builder of a constraint holds.
 using AddComponent = void (*)(const input::Component& component, Assembly& assembly);

@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace sphinx::dynamics::multibody {
 namespace {
@@ -34,7 +35,8 @@ class Describer {
     bool giveInertia(const input::Name& name, const BodyParameters& p, RigidBody& body);
     bool jointFits(const Component& component, JointKind kind);
     Matrix frame(const Component& component, const JointParameters& p, JointKind kind);
-    std::vector<Coordinate> coordinates(const JointParameters& p, JointKind kind) const;
+    std::vector<Coordinate> coordinates(const std::string& name, const JointParameters& p,
+                                        JointKind kind) const;
     Joint joint(const Component& component);
     void checkTree();
     /// Reports a list that is given and has another length.
@@ -190,7 +192,8 @@ Matrix Describer::frame(const Component& component, const JointParameters& p, Jo
     return Matrix::Identity();
 }
 
-std::vector<Coordinate> Describer::coordinates(const JointParameters& p, JointKind kind) const {
+std::vector<Coordinate> Describer::coordinates(const std::string& name, const JointParameters& p,
+                                               JointKind kind) const {
     std::vector<Coordinate> all(static_cast<std::size_t>(coordinateCount(kind)));
     const auto start = [&](std::size_t k, double value, double rate) {
         all[k].value = value;
@@ -222,8 +225,8 @@ std::vector<Coordinate> Describer::coordinates(const JointParameters& p, JointKi
         if (given.limits)
             c.limits = {given.limits->lower, given.limits->upper, given.limits->stiffness,
                         given.limits->dissipation};
-        if (given.motor) c.motor = functionOfTime(*given.motor);
-        if (given.motion) c.motion = functionOfTime(*given.motion);
+        if (given.motor) c.motor = functionOfTime(*given.motor, "a motor of " + name);
+        if (given.motion) c.motion = functionOfTime(*given.motion, "a motion of " + name);
     };
     if (all.size() == 1) act(0, p);
     // Angles are before ways.
@@ -275,7 +278,7 @@ Joint Describer::joint(const Component& component) {
     joint.at_child = p.child_at ? vectorOf(*p.child_at) : joint.at_parent;
     joint.frame = frame(component, p, kind);
     joint.lead = p.lead;
-    joint.coordinates = coordinates(p, kind);
+    joint.coordinates = coordinates(component.name, p, kind);
     const std::size_t angles = joint.coordinates.size();
     if (kind == JointKind::universal || kind == JointKind::gimbal) {
         checkCount(component, "angles", p.angles.size(), angles);
@@ -360,30 +363,6 @@ void Describer::components() {
 }
 
 }  // namespace
-
-int Assembly::body(const input::Name& name) const {
-    for (std::size_t b = 0; b < parameters_->bodies.size(); ++b)
-        if (parameters_->bodies[b].first.text == name.text) return static_cast<int>(b);
-    return ground;
-}
-
-int Assembly::joint(const input::Name& name) const {
-    for (std::size_t k = 0; k < parameters_->joints.size(); ++k)
-        if (parameters_->joints[k].name == name.text) return static_cast<int>(k);
-    return 0;
-}
-
-BodyPoint Assembly::point(const PointParameters& p) const { return {body(p.body), vectorOf(p.at)}; }
-
-Vector vectorOf(const input::Coordinates& a) {
-    Vector v = Vector::Zero();
-    for (int k = 0; k < a.size; ++k) v[k] = a.values[static_cast<std::size_t>(k)];
-    return v;
-}
-
-FunctionOfTime functionOfTime(const input::FieldExpression& expression) {
-    return [expression](double t) { return expression.operator()<2>(Vec<2>(Vec<2>::Zero()), t); };
-}
 
 template <int Dim>
 MechanismDescription describe(const MultibodyParameters& parameters, const World<Dim>& world,

@@ -28,13 +28,13 @@ struct CatenaryParameters {
     bool on_ground = false;
 };
 
-std::vector<FunctionOfTime> threeOf(const std::vector<input::FieldExpression>& given,
-                                    bool about_z) {
+std::vector<FunctionOfTime> threeOf(const std::vector<input::FieldExpression>& given, bool about_z,
+                                    const std::string& name) {
     if (given.empty()) return {};
     const FunctionOfTime zero = [](double) { return 0.0; };
     std::vector<FunctionOfTime> three(3, zero);
     for (std::size_t k = 0; k < given.size(); ++k)
-        three[about_z ? 2 : k] = functionOfTime(given[k]);
+        three[about_z ? 2 : k] = functionOfTime(given[k], name);
     return three;
 }
 
@@ -44,7 +44,9 @@ void addGivenForce(const input::Component& component, Assembly& assembly) {
     const Vector at =
         p.at ? vectorOf(*p.at) : assembly.mechanism.bodies[static_cast<std::size_t>(body)].center;
     assembly.mechanism.forces.push_back(
-        GivenForce{{body, at}, threeOf(p.force, false), threeOf(p.moment, p.moment.size() == 1)});
+        GivenForce{{body, at},
+                   threeOf(p.force, false, component.name),
+                   threeOf(p.moment, p.moment.size() == 1, component.name)});
 }
 
 void declarePoint(input::Registry& registry) {

@@ -6,7 +6,7 @@
 
 #include "dynamics/multibody/mechanism.h"
 
-#include "dynamics/multibody/elements.h"
+#include "dynamics/multibody/system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,28 +14,7 @@
 namespace sphinx::dynamics::multibody {
 namespace {
 
-SimTK::Rotation rotation(const Matrix& m) {
-    return SimTK::Rotation(SimTK::Mat33(m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2),
-                                        m(2, 0), m(2, 1), m(2, 2)),
-                           true);
-}
-SimTK::Rotation turned(const Vector& turn) {
-    const double angle = turn.norm();
-    if (angle == 0) return {};
-    return {angle, SimTK::UnitVec3(simtk(turn / angle))};
-}
-
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-/// A Runge-Kutta method each of whose stages needs only the one before: where in the step it is,
-/// and how much it counts.
-struct Stage {
-    double place, weight;
-};
-std::vector<Stage> stagesOf(Integrator integrator) {
-    if (integrator == Integrator::midpoint) return {{0, 0}, {0.5, 1}};
-    return {{0, 1.0 / 6}, {0.5, 1.0 / 3}, {0.5, 1.0 / 3}, {1, 1.0 / 6}};
-}
 
 }  // namespace
 
@@ -53,233 +32,6 @@ int coordinateCount(JointKind kind) {
         case JointKind::gimbal: return 3;
     }
     return 0;
-}
-
-struct Mechanism::Simbody {
-    MechanismDescription description;
-    SimTK::MultibodySystem system;
-    SimTK::SimbodyMatterSubsystem matter{system};
-    SimTK::GeneralForceSubsystem forces{system};
-    SimTK::Force::UniformGravity gravity{forces, matter, simtk(description.gravity)};
-    std::vector<SimTK::MobilizedBody> bodies;  // in the order of the description
-    std::vector<Element*> elements;            // likewise; Simbody owns them
-    std::vector<BodyLoad> loads;
-    std::vector<Screw> passed;
-    std::vector<double> work;
-    SimTK::State now;
-    double last_step = 0;
-    bool constrained = false;
-    bool prescribed = false;
-    TimeSpan span;  ///< the present step
-    std::vector<Stage> stages = stagesOf(description.integrator);
-
-    explicit Simbody(MechanismDescription d) : description(std::move(d)) {}
-
-    /// Place of a point of the drawing in the frame of its body: there centres of mass are origins.
-    SimTK::Vec3 placeOf(const BodyPoint& p) const {
-        return simtk(p.body == ground ? p.at
-                                      : Vector(p.at - description.bodies[index(p.body)].center));
-    }
-    SimTK::MobilizedBody& mobilized(int body) {
-        return body == ground ? matter.updGround() : bodies[index(body)];
-    }
-    Station station(const BodyPoint& p) { return {mobilized(p.body), placeOf(p)}; }
-    /// The joint's frame on its parent and on its child.
-    SimTK::Transform onParent(const Joint& joint) const {
-        return {rotation(joint.frame), placeOf({joint.parent, joint.at_parent})};
-    }
-    SimTK::Transform onChild(const Joint& joint) const {
-        return {rotation(joint.frame), placeOf({joint.child, joint.at_child})};
-    }
-    static std::size_t index(int body) { return static_cast<std::size_t>(body); }
-
-    void build();
-    void start(double time);
-    void goOn(double time, const std::vector<double>& state);
-    void addBody(const Joint& joint);
-    SimTK::MobilizedBody makeMobilizer(const Joint& joint, SimTK::MobilizedBody& parent,
-                                       const SimTK::Transform& on_parent, const SimTK::Body& child,
-                                       const SimTK::Transform& on_child);
-    void addCoordinateForces(const Joint& joint);
-    void addMotion(const Joint& joint);
-    Element* makeElementOf(const ForceElement& element);
-    void setStart(const Joint& joint);
-    void addConstraints();
-    /// A first step, before any is known: short enough for all given motions.
-    void findFirstSpan(double time);
-    void prescribe();
-    /// Onto constraints and prescribed motions, and unit quaternions.
-    void project();
-    void advance(double dt);
-    void realize();
-};
-
-void Mechanism::Simbody::addBody(const Joint& joint) {
-    const RigidBody& b = description.bodies[index(joint.child)];
-    const Matrix& I = b.inertia;
-    const SimTK::Body::Rigid child(SimTK::MassProperties(
-        b.mass, SimTK::Vec3(0),
-        SimTK::Inertia(I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2))));
-    bodies[index(joint.child)] =
-        makeMobilizer(joint, mobilized(joint.parent), onParent(joint), child, onChild(joint));
-}
-
-SimTK::MobilizedBody Mechanism::Simbody::makeMobilizer(const Joint& joint,
-                                                       SimTK::MobilizedBody& parent,
-                                                       const SimTK::Transform& F,
-                                                       const SimTK::Body& child,
-                                                       const SimTK::Transform& M) {
-    using SimTK::MobilizedBody;
-    switch (joint.kind) {
-        case JointKind::weld: return MobilizedBody::Weld(parent, F, child, M);
-        case JointKind::pin: return MobilizedBody::Pin(parent, F, child, M);
-        case JointKind::slider: return MobilizedBody::Slider(parent, F, child, M);
-        case JointKind::planar: return MobilizedBody::Planar(parent, F, child, M);
-        case JointKind::universal: return MobilizedBody::Universal(parent, F, child, M);
-        case JointKind::ball: return MobilizedBody::Ball(parent, F, child, M);
-        case JointKind::cylinder: return MobilizedBody::Cylinder(parent, F, child, M);
-        case JointKind::gimbal: return MobilizedBody::Gimbal(parent, F, child, M);
-        case JointKind::screw: return MobilizedBody::Screw(parent, F, child, M, joint.lead);
-        case JointKind::free: break;
-    }
-    return MobilizedBody::Free(parent, F, child, M);
-}
-
-void Mechanism::Simbody::addCoordinateForces(const Joint& joint) {
-    SimTK::MobilizedBody& body = bodies[index(joint.child)];
-    for (std::size_t k = 0; k < joint.coordinates.size(); ++k) {
-        const Coordinate& c = joint.coordinates[k];
-        const SimTK::MobilizerQIndex q(static_cast<int>(k));
-        const SimTK::MobilizerUIndex u(static_cast<int>(k));
-        if (c.spring)
-            SimTK::Force::MobilityLinearSpring(forces, body, q, c.spring->stiffness,
-                                               c.spring->rest);
-        if (c.damping > 0) SimTK::Force::MobilityLinearDamper(forces, body, u, c.damping);
-        if (c.limits)
-            SimTK::Force::MobilityLinearStop(forces, body, q, c.limits->stiffness,
-                                             c.limits->dissipation, c.limits->lower,
-                                             c.limits->upper);
-        if (c.motor) SimTK::Force::Custom(forces, makeMotor(body, static_cast<int>(k), c.motor));
-    }
-    if (!joint.bushing) return;
-    SimTK::Vec6 stiffness, damping;
-    for (int k = 0; k < 6; ++k) {
-        stiffness[k] = joint.bushing->stiffness[index(k)];
-        damping[k] = joint.bushing->damping[index(k)];
-    }
-    SimTK::Force::LinearBushing(forces, mobilized(joint.parent), onParent(joint), body,
-                                onChild(joint), stiffness, damping);
-}
-
-/// Simbody prescribes all coordinates of a joint, or none: some of them are constraints.
-void Mechanism::Simbody::addMotion(const Joint& joint) {
-    SimTK::MobilizedBody& body = bodies[index(joint.child)];
-    std::vector<FunctionOfTime> given;
-    for (const Coordinate& c : joint.coordinates)
-        if (c.motion) given.push_back(c.motion);
-    if (given.empty()) return;
-    prescribed = true;
-    if (given.size() == joint.coordinates.size()) {
-        SimTK::Motion::Custom(body, makeMotion(given, span));
-        return;
-    }
-    for (std::size_t k = 0; k < joint.coordinates.size(); ++k)
-        if (joint.coordinates[k].motion)
-            SimTK::Constraint::PrescribedMotion(
-                matter, makeMotion(joint.coordinates[k].motion, span), body.getMobilizedBodyIndex(),
-                SimTK::MobilizerQIndex(static_cast<int>(k)));
-    constrained = true;
-}
-
-Element* Mechanism::Simbody::makeElementOf(const ForceElement& element) {
-    if (const auto* spring = std::get_if<PointSpring>(&element))
-        return makeElement(*spring, station(spring->from), station(spring->to));
-    if (const auto* given = std::get_if<GivenForce>(&element))
-        return makeElement(*given, station(given->at));
-    const auto& line = std::get<HangingLine>(element);
-    return makeElement(line.line, -description.gravity.normalized(), station(line.from),
-                       station(line.to));
-}
-
-void Mechanism::Simbody::setStart(const Joint& joint) {
-    const SimTK::MobilizedBody& body = bodies[index(joint.child)];
-    if (joint.kind == JointKind::ball || joint.kind == JointKind::free) {
-        const SimTK::Rotation R = turned(joint.frame.transpose() * joint.turn);
-        body.setQToFitRotation(now, R);
-        body.setUToFitAngularVelocity(now, simtk(joint.frame.transpose() * joint.angular_velocity));
-        if (joint.kind == JointKind::free) {
-            body.setQToFitTranslation(now, simtk(joint.frame.transpose() * joint.shift));
-            body.setUToFitLinearVelocity(now, simtk(joint.frame.transpose() * joint.velocity));
-        }
-        return;
-    }
-    for (std::size_t k = 0; k < joint.coordinates.size(); ++k) {
-        body.setOneQ(now, static_cast<int>(k), joint.coordinates[k].value);
-        body.setOneU(now, static_cast<int>(k), joint.coordinates[k].rate);
-    }
-}
-
-void Mechanism::Simbody::addConstraints() {
-    using SimTK::Constraint;
-    for (const Rod& rod : description.rods)
-        Constraint::Rod(mobilized(rod.from.body), placeOf(rod.from), mobilized(rod.to.body),
-                        placeOf(rod.to), rod.length);
-    for (const CoincidentPoints& c : description.coincident_points)
-        Constraint::Ball(mobilized(c.from.body), placeOf(c.from), mobilized(c.to.body),
-                         placeOf(c.to));
-    for (const PointOnLine& c : description.points_on_lines)
-        Constraint::PointOnLine(mobilized(c.line.body), SimTK::UnitVec3(simtk(c.along)),
-                                placeOf(c.line), mobilized(c.point.body), placeOf(c.point));
-    for (const CoordinateCoupler& c : description.couplers) {
-        SimTK::Vector factors(static_cast<int>(c.terms.size()) + 1);
-        SimTK::Array_<SimTK::MobilizedBodyIndex> which;
-        SimTK::Array_<SimTK::MobilizerQIndex> coordinates;
-        int k = 0;
-        for (const CoordinateCoupler::Term& term : c.terms) {
-            factors[k++] = term.factor;
-            const Joint& joint = description.joints[index(term.joint)];
-            which.push_back(bodies[index(joint.child)].getMobilizedBodyIndex());
-            coordinates.push_back(SimTK::MobilizerQIndex(term.coordinate));
-        }
-        factors[k] = -c.offset;
-        Constraint::CoordinateCoupler(matter, new SimTK::Function::Linear(factors), which,
-                                      coordinates);
-    }
-    constrained = constrained || !description.rods.empty() ||
-                  !description.coincident_points.empty() || !description.points_on_lines.empty() ||
-                  !description.couplers.empty();
-}
-
-void Mechanism::Simbody::build() {
-    bodies.resize(description.bodies.size());
-    loads.resize(bodies.size());
-    passed.assign(bodies.size(), Screw::Zero());
-    work.assign(bodies.size(), 0);
-    // A parent before its children.
-    std::vector<bool> made(bodies.size(), false);
-    for (std::size_t count = 0; count < description.joints.size();) {
-        const std::size_t before = count;
-        for (const Joint& joint : description.joints) {
-            if (made[index(joint.child)]) continue;
-            if (joint.parent != ground && !made[index(joint.parent)]) continue;
-            addBody(joint);
-            made[index(joint.child)] = true;
-            ++count;
-        }
-        if (count == before) throw MechanismError("joints are no tree that begins at ground");
-    }
-    for (const Joint& joint : description.joints) {
-        addCoordinateForces(joint);
-        addMotion(joint);
-    }
-    for (const ForceElement& force : description.forces) {
-        elements.push_back(makeElementOf(force));
-        SimTK::Force::Custom(forces, elements.back());
-    }
-    SimTK::Force::Custom(forces, makeParticleLoads(bodies, loads));
-    addConstraints();
-    system.realizeTopology();
-    now = system.getDefaultState();
 }
 
 void Mechanism::Simbody::start(double time) {
@@ -428,6 +180,9 @@ void Mechanism::step(double time, double dt, const std::vector<BodyLoad>& loads)
         for (int n = 0; n < steps; ++n) s.advance(dt / steps);
         s.now.setTime(time + dt);
         s.realize();
+        for (const double value : state())
+            if (!std::isfinite(value))
+                throw MechanismError("its coordinates are no numbers any more");
     } catch (const SimTK::Exception::Base& e) {
         throw MechanismError(firstLine(e.getMessageText()));
     }
