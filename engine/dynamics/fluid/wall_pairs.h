@@ -116,23 +116,34 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
 
 /// Adds to the components of Z_j of one particle j of an elastic solid, 2 rho0 c0 sum_i abs(W')
 /// e_ij (x) e_ij V_i V_j, over the fluid particles i near it, without the factor 2 rho0 c0 and in
-/// the list's gradient unit: row by row, up to the diagonal.
+/// the list's gradient unit: row by row, up to the diagonal. Of a rigid body of a mechanism the
+/// part along its normals, n_j (n_j . e_ij) in place of e_ij.
 template <int Dim>
 inline void addImpedance(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                          std::size_t j, const Field<double>& volume,
                          ExactSums<Dim*(Dim + 1) / 2>& sum) {
     const double V = (*fields.volume)[j];
+    Lanes n[Dim] = {};
+    if (!fields.along_line.pressure) spread<Dim>((*fields.normal)[j], n);
     forEachPair(list, j, [&](const Pairs<Dim>& pair) {
         const Lanes f = (V * gatherLanes(volume.data(), pair.index)) * pair.inverse_dW;
+        Lanes along[Dim];
+        const Lanes part = dot<Dim>(n, pair.gradient);
+        for (int c = 0; c < Dim; ++c)
+            along[c] = fields.along_line.pressure ? pair.gradient[c] : part * n[c];
         for (int row = 0, k = 0; row < Dim; ++row)
             for (int column = 0; column <= row; ++column, ++k)
-                sum[k].addProduct(f, pair.gradient[row] * pair.gradient[column]);
+                sum[k].addProduct(f, along[row] * along[column]);
     });
 }
 
+/// Of a slip that is nothing.
+constexpr double least_square = std::numeric_limits<double>::min();
+
 /// Adds the impulse on one fluid particle i by which the slips s_j of an elastic solid are
 /// answered, 2 rho0 c0 sum_j abs(W') e_ij (e_ij . s_j) V_i V_j: what the solid has lost by its
-/// impedance. Without the factor 2 rho0 c0, in the given gradient unit.
+/// impedance. Without the factor 2 rho0 c0, in the given gradient unit. Slips of a rigid body are
+/// along the normals that it had when it answered; by now they have turned.
 template <int Dim>
 inline void addSlipImpulse(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                            std::size_t i, double V, double unit, ExactSums<Dim>& sum) {
@@ -140,9 +151,15 @@ inline void addSlipImpulse(const WallFields<Dim>& fields, const NeighborList<Dim
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         Lanes s[Dim];
         gatherVectors<Dim>(fields.slip->data(), pair.index, s);
-        const Lanes f = (V * gatherLanes(fields.volume->data(), pair.index)) * pair.inverse_dW *
-                        dot<Dim>(s, pair.gradient);
-        for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
+        const Lanes weight = (V * gatherLanes(fields.volume->data(), pair.index)) * pair.inverse_dW;
+        const Lanes across = dot<Dim>(s, pair.gradient);
+        if (fields.along_line.pressure) {
+            for (int c = 0; c < Dim; ++c) sum[c].addProduct(weight * across, pair.gradient[c]);
+        } else {
+            const Lanes square = larger<Lanes>(dot<Dim>(s, s), lanes(least_square));
+            for (int c = 0; c < Dim; ++c)
+                sum[c].addProduct(weight * (across * across) / square, s[c]);
+        }
     });
 }
 

@@ -161,7 +161,10 @@ void MovedPart<Dim>::follow(const RigidBody& body, const BodyMotion& before,
         }
         if (slip_ && (*impedance_)[i].trace() > 0) {
             const auto A = motionAt(armOf(i, body, before));
-            (*slip_)[i] += Vec<Dim>((A * after.passed).template head<Dim>()) - dt * (*seen_)[i];
+            const Vec<Dim> s = Vec<Dim>((A * after.passed).template head<Dim>()) - dt * (*seen_)[i];
+            // The part along the normal, as Z has it: both have turned when the fluid takes it.
+            const Mat<Dim>& Z = (*impedance_)[i];
+            (*slip_)[i] += Z * s / Z.trace();
         }
         setRigid(i, body, after);
     });
