@@ -63,6 +63,12 @@ struct Body {
         return isElastic() || (isWall() && std::get<WallRole>(role).in_mechanism);
     }
 
+    /// Of the rigid body of a mechanism that it belongs to; infinite where none carries it.
+    double carriedMass() const {
+        return isWall() ? std::get<WallRole>(role).carried_mass
+                        : std::numeric_limits<double>::infinity();
+    }
+
     /// The role of a body that is known to have it.
     FluidRole<Dim>& fluid() { return as<FluidRole<Dim>>(role); }
     const FluidRole<Dim>& fluid() const { return as<const FluidRole<Dim>>(role); }

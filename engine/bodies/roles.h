@@ -47,6 +47,8 @@ struct FluidRole {
 struct WallRole {
     std::shared_ptr<const materials::Material> material;
     bool in_mechanism = false;
+    /// Of the body of the mechanism that carries it, once that is there.
+    double carried_mass = std::numeric_limits<double>::infinity();
 };
 
 /// Moves by its stress.

@@ -162,6 +162,13 @@ inline Lanes gatherLanes(const double* p, const Index* index) {
                  p[index[4]], p[index[5]], p[index[6]], p[index[7]]};
 }
 
+/// One double of records of `Stride` doubles: base[Stride * index[k]].
+template <int Stride, class Index>
+inline Lanes gatherStrided(const double* base, const Index* index) {
+    const auto at = [&](int k) { return base[std::size_t{Stride} * index[k]]; };
+    return Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+}
+
 /// The first four doubles of records of `Stride` doubles, of eight particles, transposed:
 /// out[c][k] = base[Stride * index[k] + c]. Loads and shuffles beat hardware gathers. (A call that
 /// is not inlined writes all registers of the loop around it to memory.)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "dynamics/words.h"
+#include "dynamics/contact_stress.h"
+
+#include <memory>
 
 namespace sphinx::dynamics {
 
@@ -15,6 +17,13 @@ template <int Dim>
 class SolidLoad;
 }
 
+namespace contact {
+template <int Dim>
+class Loads;
+template <int Dim>
+class PairOwner;
+}  // namespace contact
+
 /// What methods are built from. It lives as long as they do.
 template <int Dim>
 struct Context {
@@ -22,6 +31,10 @@ struct Context {
     Relations<Dim>& relations;
     /// Methods by which a fluid pushes solids; each adds itself when it is built.
     std::vector<const fluid::SolidLoad<Dim>*> loads = {};
+    /// Methods that have pairs of surfaces in contact; likewise.
+    std::vector<contact::PairOwner<Dim>*> contacts = {};
+    std::vector<std::shared_ptr<contact::Loads<Dim>>> contact_loads = {};  ///< one for each body
+    std::vector<const ContactStress<Dim>*> contact_stresses = {};          ///< of theirs
     /// The block `multibody` of the case, or null.
     const multibody::MultibodyParameters* multibody = nullptr;
     double start_time = 0;

@@ -58,7 +58,8 @@ using input::changes;
 struct FieldAccess {
     AccessMode mode = AccessMode::read;
     std::string body;
-    std::string field;  ///< a name of particles/fields.h, of a span, or one of those below
+    std::string field;    ///< a name of particles/fields.h, of a span, or one of those below
+    bool result = false;  ///< outputs alone may read it
 };
 
 /// Pseudo fields for the check of the loop. Lists of a body go stale when its positions are

@@ -13,6 +13,11 @@ void declareFix(input::Registry& registry);
 void declarePrescribedMotion(input::Registry& registry);
 }  // namespace constraint
 
+namespace contact {
+void declareForce(input::Registry& registry);
+void declareTimeStep(input::Registry& registry);
+}  // namespace contact
+
 namespace fluid {
 void declareAcousticTimeStep(input::Registry& registry);
 void declareAdvectionTimeStep(input::Registry& registry);

@@ -14,9 +14,16 @@ struct OuterForces {
           pressure(particles.vector(fields::pressure_force)),
           viscous(particles.vector(fields::viscous_force)) {}
 
+    /// Once all methods have asked for their fields.
+    void prepare(ParticleSet<Dim>& particles) {
+        if (particles.find(fields::contact_force.name))
+            contact = &particles.vector(fields::contact_force);
+    }
+
     Field<Vec<Dim>>& external;  ///< acceleration
     Field<Vec<Dim>>& pressure;  ///< of fluids
     Field<Vec<Dim>>& viscous;
+    const Field<Vec<Dim>>* contact = nullptr;  ///< null where nobody has made it
 };
 
 }  // namespace sphinx::dynamics

@@ -11,6 +11,8 @@ void registerDynamics(input::Registry& registry) {
     constraint::declareClamp(registry);
     constraint::declareFix(registry);
     constraint::declarePrescribedMotion(registry);
+    contact::declareForce(registry);
+    contact::declareTimeStep(registry);
     fluid::declareAcousticTimeStep(registry);
     fluid::declareAdvectionTimeStep(registry);
     fluid::declareAveragePressure(registry);

@@ -24,9 +24,10 @@ struct WrittenCase {
     using Components = std::vector<const input::Component*>;
     /// A line of `topology`; what sees itself is `seen` by its own name.
     struct Sight {
-        std::string body;
-        std::string seen;
+        input::Name body;
+        input::Name seen;
         bool bonded = false;
+        bool contact = false;
     };
 
     /// A layer of the loop.
@@ -42,11 +43,13 @@ struct WrittenCase {
     /// The block `multibody`, or null.
     const multibody::MultibodyParameters* multibody = nullptr;
     std::vector<std::string> carried;  ///< rigid bodies of which that has particles
+    std::vector<std::string> moved;    ///< parts of bodies, or whole ones, that are carried
     Components methods;                ///< in the order of the case
     Components called;                 ///< those of them that the loop calls: no others act
     std::vector<Layer> layers;
     std::vector<Sight> topology;
     std::map<std::string, const input::Component*, std::less<>> materials;  ///< by body
+    std::map<std::string, input::Place, std::less<>> places;                ///< of bodies
     input::Diagnostics& diagnostics;
 
     bool calls(const input::Component& method) const {
@@ -55,14 +58,15 @@ struct WrittenCase {
     /// Whether the body is elastic, or rigid and carried by a body of the mechanism.
     bool responds(std::string_view body) const;
     bool sees(std::string_view body, std::string_view other) const {
-        return std::ranges::any_of(
-            topology, [&](const Sight& s) { return s.body == body && s.seen == other; });
+        return std::ranges::any_of(topology, [&](const Sight& s) {
+            return !s.contact && s.body.text == body && s.seen.text == other;
+        });
     }
     /// In either direction.
     bool bonded(std::string_view one, std::string_view other) const {
         return std::ranges::any_of(topology, [&](const Sight& s) {
-            return s.bonded &&
-                   ((s.body == one && s.seen == other) || (s.body == other && s.seen == one));
+            return s.bonded && ((s.body.text == one && s.seen.text == other) ||
+                                (s.body.text == other && s.seen.text == one));
         });
     }
 };

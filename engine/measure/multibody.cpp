@@ -68,10 +68,13 @@ std::unique_ptr<io::SeriesSource> bodySource(const MechanismOwner& owner, const 
     quantities.push_back(
         {"angular_velocity", units.text(unit::frequency), "angular velocity", axial});
     const std::pair<const char*, const char*> sources[] = {
-        {"particle", "of fluids and elastic material on its particles, mean over its last step"},
+        {"particle",
+         "of fluids, elastic material and other surfaces on its particles, mean over its last "
+         "step"},
         {"pressure", "its part from the pressure of fluids"},
         {"viscous", "its part from the viscosity of fluids"},
-        {"material", "its part from elastic material, and from methods that push that"}};
+        {"material", "its part from elastic material, and from methods that push that"},
+        {"contact", "its part from other surfaces"}};
     for (const auto& [source, text] : sources) {
         quantities.push_back(
             {fmt::format("{}_force", source), units.text(unit::force), text, vector});
@@ -96,7 +99,8 @@ std::unique_ptr<io::SeriesSource> bodySource(const MechanismOwner& owner, const 
         at = put<Dim>(at, motion.velocity.head<3>());
         at = putAxial<Dim>(at, motion.velocity.tail<3>());
         for (const dynamics::multibody::Screw& f :
-             {received.total, received.pressure, received.viscous, received.material}) {
+             {received.total, received.pressure, received.viscous, received.material,
+              received.contact}) {
             at = put<Dim>(at, f.head<3>());
             at = putAxial<Dim>(at, f.tail<3>());
         }

@@ -23,12 +23,13 @@ enum class Reduced {
     moment,
     support_reaction,
     applied_load,
+    contact_force,
 };
 
 /// Whether it has a moment, which is about a point.
 bool hasMoment(Reduced quantity) {
     return quantity == Reduced::moment || quantity == Reduced::support_reaction ||
-           quantity == Reduced::applied_load;
+           quantity == Reduced::applied_load || quantity == Reduced::contact_force;
 }
 
 enum class Axis { x, y, z };
@@ -60,6 +61,7 @@ std::unique_ptr<io::SeriesSource> makeSource(const ReduceParameters& p,
         case Reduced::mass: return mass(reduced);
         case Reduced::momentum: return momentum(reduced);
         case Reduced::angular_momentum: return angularMomentum(reduced);
+        case Reduced::contact_force: return contactForce<Dim>(reduced, about);
         case Reduced::maximum_speed: return maximumSpeed(reduced);
         case Reduced::front_position: {
             const int axis = static_cast<int>(p.axis.value_or(Axis::x));
@@ -120,6 +122,8 @@ void declareReduce(input::Registry& registry) {
             {"applied_load", Reduced::applied_load,
              "of the loads from outside (point_force, spring, surface_pressure) on an elastic "
              "body, over its last step; with 'about' also the moment"},
+            {"contact_force", Reduced::contact_force,
+             "of other surfaces on a solid (contact.force); with 'about' also the moment"},
         }),
         "what is written");
     d.optional("axis", &P::axis,
@@ -129,7 +133,7 @@ void declareReduce(input::Registry& registry) {
     io::declareMeans(d);
     d.check("about", [](const P& p) -> std::string {
         return p.about && !hasMoment(p.quantity)
-                   ? "'about' is for moment, support_reaction and applied_load"
+                   ? "'about' is for moment, support_reaction, applied_load and contact_force"
                    : "";
     });
     d.check("quantity", [](const P& p) -> std::string {

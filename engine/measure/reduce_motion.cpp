@@ -166,6 +166,31 @@ std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>& reduce
 }
 
 template <int Dim>
+std::unique_ptr<io::SeriesSource> contactForce(const ReducedBody<Dim>& reduced,
+                                               const std::optional<Vec<Dim>>& about) {
+    const auto* force = &require<Vec<Dim>>(reduced, fields::contact_force);
+    const auto* x = &reduced.body->particles.position();
+    std::vector<io::SeriesQuantity> quantities{{"contact_force", reduced.units.text(unit::force),
+                                                "force of other surfaces",
+                                                io::componentLabels<Dim>(particles::Rank::vector)}};
+    if (about)
+        quantities.push_back({"contact_moment", reduced.units.text(unit::force * unit::length),
+                              "moment of it about the point", io::momentLabels<Dim>()});
+    const ReducedParticles<Dim> particles = reduced;
+    return std::make_unique<ReduceSource>(
+        std::move(quantities), [particles, force, x, about](std::span<double> row) {
+            const Vec<Dim> from = about.value_or(Vec<Dim>(Vec<Dim>::Zero()));
+            const auto load = sumAll(particles.size(), [&](std::size_t n) {
+                dynamics::Load<Dim> one;
+                one.add((*x)[particles[n]] - from, (*force)[particles[n]]);
+                return one;
+            });
+            std::copy(load.force.begin(), load.force.end(), row.begin());
+            if (about) std::copy(load.moment.begin(), load.moment.end(), row.begin() + Dim);
+        });
+}
+
+template <int Dim>
 std::unique_ptr<io::SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced) {
     const ReducedParticles<Dim> particles = reduced;
     const auto* v = &require<Vec<Dim>>(reduced, fields::velocity);
@@ -198,13 +223,15 @@ std::unique_ptr<io::SeriesSource> frontPosition(const ReducedBody<Dim>& reduced,
         });
 }
 
-#define SPHINX_INSTANTIATE(Dim)                                                           \
-    template std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>&); \
-    template std::unique_ptr<io::SeriesSource> kineticEnergy(const ReducedBody<Dim>&);    \
-    template std::unique_ptr<io::SeriesSource> mass(const ReducedBody<Dim>&);             \
-    template std::unique_ptr<io::SeriesSource> momentum(const ReducedBody<Dim>&);         \
-    template std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>&);  \
-    template std::unique_ptr<io::SeriesSource> maximumSpeed(const ReducedBody<Dim>&);     \
+#define SPHINX_INSTANTIATE(Dim)                                                              \
+    template std::unique_ptr<io::SeriesSource> mechanicalEnergy(const ReducedBody<Dim>&);    \
+    template std::unique_ptr<io::SeriesSource> kineticEnergy(const ReducedBody<Dim>&);       \
+    template std::unique_ptr<io::SeriesSource> mass(const ReducedBody<Dim>&);                \
+    template std::unique_ptr<io::SeriesSource> momentum(const ReducedBody<Dim>&);            \
+    template std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>&);     \
+    template std::unique_ptr<io::SeriesSource> contactForce(const ReducedBody<Dim>&,         \
+                                                            const std::optional<Vec<Dim>>&); \
+    template std::unique_ptr<io::SeriesSource> maximumSpeed(const ReducedBody<Dim>&);        \
     template std::unique_ptr<io::SeriesSource> frontPosition(const ReducedBody<Dim>&, int axis);
 SPHINX_INSTANTIATE(2)
 SPHINX_INSTANTIATE(3)

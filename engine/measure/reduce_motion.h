@@ -6,6 +6,8 @@
 #include "io/series/series.h"
 #include "measure/reduced_body.h"
 
+#include <optional>
+
 namespace sphinx::measure {
 
 /// kinetic = sum m v^2/2; potential = -sum m g . x, g being the body's uniform gravities; internal
@@ -24,6 +26,10 @@ std::unique_ptr<io::SeriesSource> momentum(const ReducedBody<Dim>& reduced);
 template <int Dim>
 std::unique_ptr<io::SeriesSource> angularMomentum(const ReducedBody<Dim>& reduced);
 /// Largest abs(v); NaN without particles.
+/// Of other surfaces on a solid; with `about` also its moment about that point.
+template <int Dim>
+std::unique_ptr<io::SeriesSource> contactForce(const ReducedBody<Dim>& reduced,
+                                               const std::optional<Vec<Dim>>& about);
 template <int Dim>
 std::unique_ptr<io::SeriesSource> maximumSpeed(const ReducedBody<Dim>& reduced);
 /// Largest coordinate along that axis (0 is x); NaN without particles.

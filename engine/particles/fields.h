@@ -75,6 +75,17 @@ inline constexpr FieldInfo pressure_force{"pressure_force", Rank::vector, unit::
 inline constexpr FieldInfo viscous_force{"viscous_force", Rank::vector, unit::force,
                                          "force of fluids on a solid particle by viscosity",
                                          initial_value::zero};
+inline constexpr FieldInfo contact_force{"contact_force", Rank::vector, unit::force,
+                                         "force of other surfaces on a solid particle",
+                                         initial_value::zero};
+inline constexpr FieldInfo contact_pressure{
+    "contact_pressure", Rank::scalar, unit::pressure,
+    "of it the part along the normal, by the undeformed area that the particle stands for",
+    initial_value::zero};
+inline constexpr FieldInfo contact_turn{
+    "contact_turn", Rank::vector, unit::energy,
+    "by which contact turns a rigid particle: slope of its energy by the normal",
+    initial_value::zero};
 inline constexpr FieldInfo average_velocity{
     "average_velocity", Rank::vector, unit::velocity,
     "velocity of a solid particle, averaged over the fluid's acoustic step",

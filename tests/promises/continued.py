@@ -15,6 +15,7 @@ CASES = ("splash_2d", "splash_3d",
          "strip_2d",     # elastic, with loads and motion
          "raft_2d",      # a mechanism with rigid and elastic particles
          "linkage_2d",   # one that is driven, with a closed loop and a line
+         "contact_2d",   # surfaces with friction, a mechanism, self-contact
          "clamped_3d")
 
 

@@ -48,6 +48,12 @@ class LookedAt(Promise):
         said = self.script("picture", out, "--width", "300", "--time", "0", "--out", first)
         self.assertRegex(said, r"at time 0\n")
         self.assertFalse(np.array_equal(self.pixels(first), self.pixels(out / "picture.png")))
+        # Seen from the water, which has moved, the tank is elsewhere.
+        ridden = out / "ridden.png"
+        self.script("picture", out, "--width", "300", "--follow", "water", "--out", ridden)
+        self.assertFalse(np.array_equal(self.pixels(ridden), self.pixels(out / "picture.png")))
+        said = self.script("picture", out, "--follow", "nobody", expect=1)
+        self.assertIn("no body 'nobody' to follow", said)
         said = self.script("picture", out, "--field", "temperature", expect=1)
         self.assertIn("no body has the field 'temperature'; there are: ", said)
 

@@ -52,6 +52,9 @@ class Outputs(Promise):
     def test_elastic_with_loads_and_motion(self):
         self.any_outputs_same_physics("strip_2d", "strip")
 
+    def test_contact(self):
+        self.any_outputs_same_physics("contact_2d", "cube", end_time=0.05)
+
     def test_elastic_3d(self):
         self.any_outputs_same_physics("clamped_3d", "beam")
 

@@ -42,6 +42,9 @@ class Threads(Promise):
     def test_mechanism(self):
         self.same_for_all_threads("raft_2d", {"variables__spacing": 0.0125, "loop__end_time": 0.1})
 
+    def test_contact(self):
+        self.same_for_all_threads("contact_3d", {}, "slab")
+
     def test_elastic_3d(self):
         size = {"variables__spacing": 0.02, "variables__width": 0.3, "variables__length": 0.8}
         self.same_for_all_threads("clamped_3d", {**size, "loop__end_time": 0.02}, "beam")

@@ -22,6 +22,7 @@ DEPTH_LIMIT = {25: 0.075, 50: 0.05}
 # references differ by 9 %.
 SPEED_LIMIT = {120: 0.08, 240: 0.08}
 IMPULSE_LIMIT = 1e-3  # of m V
+WORK_LIMIT = 1e-3  # measured 2e-7
 
 
 def cylinder(across, ratio, kind):
@@ -37,7 +38,7 @@ def cylinder(across, ratio, kind):
 
 
 def wedge(across):
-    """Velocities over the mean of the references, less one; what is missing in the impulse, of m V."""
+    """Velocities over the mean of the references, less one; what is missing in the impulse, and in the work, of them."""
     run = checks.Run("water_entry_wedge_2d/case.yaml", f"variables.spacing=beam/{across}", "outputs.frames.every={time: 1}",
                      "outputs.wedge.every={steps: 1, layer: acoustic}", "outputs.wedge.average=true",
                      "outputs.wedge.layer=acoustic")
@@ -49,16 +50,18 @@ def wedge(across):
     steps = np.diff(body["time"], prepend=0)
     impulse = (body["particle_force_y"] * steps).sum()
     gained = MASS * (SPEED - speed[-1]) + MASS * GRAVITY * body["time"][-1]
-    return np.interp(TIMES, 1000 * body["time"], speed) / mean - 1, impulse / gained - 1
+    energy = MASS * (0.5 * (speed[-1]**2 - SPEED**2) + GRAVITY * (body["center_y"][-1] - body["center_y"][0] - SPEED * steps[0]))
+    return (np.interp(TIMES, 1000 * body["time"], speed) / mean - 1, impulse / gained - 1,
+            body["particle_work"][-1] / energy - 1)
 
 
 def study():
     for across in (12.5, 25, 50):
         print(f"| D/{across:g} | {cylinder(across, 0.5, 'half'):.3f} | {cylinder(across, 1, 'neutral'):.3f} |", flush=True)
     for across in (120, 240):
-        speeds, impulse = wedge(across)
-        print(f"| {1200 / across:g} mm |", " | ".join(f"{100 * value:+.1f}" for value in speeds), f"| {impulse:.1e} |",
-              flush=True)
+        speeds, impulse, work = wedge(across)
+        print(f"| {1200 / across:g} mm |", " | ".join(f"{100 * value:+.1f}" for value in speeds),
+              f"| {impulse:.1e} | {work:.1e} |", flush=True)
 
 
 def main():
@@ -69,10 +72,11 @@ def main():
         report.check(f"cylinder, {kind}: largest error of the depth, of D", cylinder(across, ratio, kind), 0,
                      DEPTH_LIMIT[across])
     across = 240 if options.long else 120
-    speeds, impulse = wedge(across)
+    speeds, impulse, work = wedge(across)
     report.check("wedge: largest error of the velocity, of it", np.abs(speeds).max(), 0, SPEED_LIMIT[across])
     report.check("wedge: impulse of the water over the change of momentum, less 1", impulse, -IMPULSE_LIMIT,
                  IMPULSE_LIMIT)
+    report.check("wedge: work of the water over the gain of energy, less 1", work, -WORK_LIMIT, WORK_LIMIT)
     report.end()
 
 

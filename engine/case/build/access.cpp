@@ -23,10 +23,11 @@ Words bodiesOf(const model::Case& model, const input::Component& method,
 }
 
 /// Without a trait every body has it. `responding`: bodies::Body::responds(); `driven`: rigid ones
-/// that do not.
+/// that do not; `carried`: rigid ones that do.
 bool hasTrait(const model::Case& model, const model::Body& body, const std::string& trait) {
     if (trait == "responding") return model.responds(body);
     if (trait == "driven") return body.role == bodies::Role::wall && !model.responds(body);
+    if (trait == "carried") return body.role == bodies::Role::wall && model.responds(body);
     const Words traits = language::bodyTraits(body.role, model.findMaterial(body.material.text));
     return trait.empty() || std::find(traits.begin(), traits.end(), trait) != traits.end();
 }
@@ -47,9 +48,11 @@ Words ownerBodies(const model::Case& model, const input::Component& method,
     for (const input::Parameter& parameter : method.declaration->parameters()) {
         const Words bodies = bodiesOf(model, method, parameter);
         for (const std::string& body : bodies)
-            for (const model::Contact& contact : model.seenBy(body)) {
-                const model::Body& other = *model.findBody(contact.body.text);
-                const bool wanted = bonded ? contact.bonded : hasTrait(model, other, trait);
+            for (const model::Seen& one : model.seenBy(body)) {
+                if (one.as == model::SeenAs::contact) continue;
+                const model::Body& other = *model.findBody(one.body.text);
+                const bool wanted =
+                    bonded ? one.as == model::SeenAs::bonded : hasTrait(model, other, trait);
                 if (wanted && std::find(seen.begin(), seen.end(), other.name) == seen.end())
                     seen.push_back(other.name);
             }
@@ -81,7 +84,7 @@ std::vector<dynamics::FieldAccess> resolveAccesses(const model::Case& model,
     for (const input::Access& access : method.declaration->actions()[action].accesses())
         for (const std::string& body : ownerBodies(model, method, access.owner))
             if (!access.if_made || isMade(model, body, access.field))
-                resolved.push_back({access.mode, body, access.field});
+                resolved.push_back({access.mode, body, access.field, access.result});
     return resolved;
 }
 

@@ -39,10 +39,12 @@ class FactsMaker {
             // An elastic body may be held as a whole: the base of a gate.
             facts.bodies.push_back(
                 {body.name, body.role == bodies::Role::fluid, initialFields(model_, body)});
-            for (const model::Contact& contact : model_.seenBy(body.name)) {
-                const bool own = contact.body.text == body.name;
-                facts.lists.push_back(
-                    {body.name, contact.body.text, contact.bonded || (elastic && own)});
+            for (const model::Seen& seen : model_.seenBy(body.name)) {
+                // Contact finds its pairs itself.
+                if (seen.as == model::SeenAs::contact) continue;
+                const bool own = seen.body.text == body.name;
+                const bool bonded = seen.as == model::SeenAs::bonded;
+                facts.lists.push_back({body.name, seen.body.text, bonded || (elastic && own)});
             }
         }
         facts.makers = fieldMakers(*model_.registry);

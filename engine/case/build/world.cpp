@@ -167,9 +167,10 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
         world->bodies.push_back(std::move(body));
     }
     for (auto& body : world->bodies)
-        for (const model::Contact& contact : model.seenBy(body->name)) {
-            bodies::Body<Dim>* other = world->find(contact.body.text);
-            (contact.bonded ? body->bonded : body->sees).push_back(other);
+        for (const model::Seen& seen : model.seenBy(body->name)) {
+            bodies::Body<Dim>* other = world->find(seen.body.text);
+            if (seen.as == model::SeenAs::flow) body->sees.push_back(other);
+            if (seen.as == model::SeenAs::bonded) body->bonded.push_back(other);
         }
     for (auto& body : world->bodies)
         if (body->isObserver() && !body->sees.empty()) {

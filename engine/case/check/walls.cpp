@@ -54,10 +54,10 @@ void checkSeen(const model::Case& model, input::Diagnostics& diagnostics) {
         const bool seen = std::any_of(
             model.topology.begin(), model.topology.end(), [&](const model::Sight& sight) {
                 const model::Body& seer = *model.findBody(sight.body.text);
-                return (seer.role == bodies::Role::fluid || seer.role == bodies::Role::elastic) &&
+                return (seer.role == bodies::Role::fluid || model.responds(seer)) &&
                        std::any_of(
                            sight.sees.begin(), sight.sees.end(),
-                           [&](const model::Contact& c) { return c.body.text == wall.name; });
+                           [&](const model::Seen& one) { return one.body.text == wall.name; });
             });
         if (!seen)
             diagnostics.warning(wall.place, fmt::format("no fluid or elastic body sees {} in "

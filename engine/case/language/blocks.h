@@ -48,11 +48,6 @@ struct NamedBody {
     bool good = false;  ///< it was read without an error
 };
 
-struct ContactBlock {
-    input::Name body;  ///< "self", or a body
-    bool bonded = false;
-};
-
 struct OutputBlock {
     std::optional<input::Every> every;
 };
@@ -76,7 +71,7 @@ struct CaseBlock {
     std::vector<NamedShape> geometry;
     std::vector<input::Component> materials;
     std::vector<NamedBody> bodies;
-    std::vector<std::pair<input::Name, std::vector<ContactBlock>>> topology;
+    std::vector<std::pair<input::Name, std::vector<model::Seen>>> topology;  ///< "self" is a body
     std::optional<dynamics::multibody::MultibodyParameters> multibody;
     std::vector<input::Component> dynamics;
     model::Loop loop;

@@ -295,7 +295,7 @@ void declareCase(Registry& registry) {
     d.optional("geometry", &P::geometry, namedShapes(), "named shapes");
     d.optional("materials", &P::materials, components(Kind::material), "named materials");
     d.required("bodies", &P::bodies, namedBodies(block("bodies")), "named bodies");
-    d.optional("topology", &P::topology, mapOf(bodyReference(), list(contact())),
+    d.optional("topology", &P::topology, mapOf(bodyReference(), list(seen())),
                "whose particles each body sees");
     d.optional("multibody", &P::multibody,
                structure<dynamics::multibody::MultibodyParameters>(block("multibody")),

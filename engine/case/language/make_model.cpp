@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "case/language/phases.h"
+#include "dynamics/contact/force.h"
 #include "dynamics/multibody/step.h"
 
 namespace sphinx::language {
@@ -84,6 +85,20 @@ void fillParts(const dynamics::multibody::MultibodyParameters& multibody,
     }
 }
 
+/// A body that does not say with whom is in contact with all that its topology says.
+void fillContacts(const model::Case& model, std::vector<Component>& methods) {
+    using Parameters = dynamics::contact::ForceParameters;
+    for (Component& method : methods) {
+        const auto* given = method.find<Parameters>();
+        if (!given || !given->with.empty()) continue;
+        auto filled = std::make_shared<Parameters>(*given);
+        for (const model::Seen& seen : model.seenBy(given->body.text))
+            if (seen.as == model::SeenAs::contact)
+                filled->with.push_back({seen.body.text, given->body.place});
+        method.parameters = std::move(filled);
+    }
+}
+
 }  // namespace
 
 model::Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnostics& diagnostics) {
@@ -98,11 +113,10 @@ model::Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnosti
     for (const NamedBody& body : block.bodies)
         model.bodies.push_back(makeBody(
             body, findComponent(block.materials, body.block.material.text), block.dimension));
-    for (const auto& [body, contacts] : block.topology) {
+    for (const auto& [body, sees] : block.topology) {
         model::Sight& sight = model.topology.emplace_back();
         sight.body = body;
-        for (const ContactBlock& contact : contacts) {
-            model::Contact seen{contact.body, contact.bonded};
+        for (model::Seen seen : sees) {
             if (seen.body.text == "self") seen.body.text = body.text;
             sight.sees.push_back(std::move(seen));
         }
@@ -110,6 +124,7 @@ model::Case makeModel(const CaseBlock& block, const UnitSystem& units, Diagnosti
     model.multibody = block.multibody;
     model.dynamics = block.dynamics;
     if (block.multibody) fillParts(*block.multibody, model.dynamics);
+    fillContacts(model, model.dynamics);
     model.loop = block.loop;
     for (const NamedOutput& output : block.outputs) {
         model::Output& made = model.outputs.emplace_back();

@@ -26,11 +26,13 @@ dynamics::WrittenCase writtenCase(const model::Case& model, input::Diagnostics& 
                                   .end_time = model.loop.end_time,
                                   .multibody = model.multibody ? &*model.multibody : nullptr,
                                   .carried = {},
+                                  .moved = {},
                                   .methods = {},
                                   .called = {},
                                   .layers = {},
                                   .topology = {},
                                   .materials = {},
+                                  .places = {},
                                   .diagnostics = diagnostics};
     for (const input::Component& method : model.dynamics) {
         written.methods.push_back(&method);
@@ -39,10 +41,15 @@ dynamics::WrittenCase writtenCase(const model::Case& model, input::Diagnostics& 
     for (const model::Body& body : model.bodies)
         if (body.role == bodies::Role::wall && model.responds(body))
             written.carried.push_back(body.name);
+    if (model.multibody)
+        for (const auto& [name, body] : model.multibody->bodies)
+            for (const input::Name& part : body.particles) written.moved.push_back(part.text);
     addLayer(model, model.loop, written);
     for (const model::Sight& sight : model.topology)
-        for (const model::Contact& contact : sight.sees)
-            written.topology.push_back({sight.body.text, contact.body.text, contact.bonded});
+        for (const model::Seen& seen : sight.sees)
+            written.topology.push_back({sight.body, seen.body, seen.as == model::SeenAs::bonded,
+                                        seen.as == model::SeenAs::contact});
+    for (const model::Body& body : model.bodies) written.places[body.name] = body.place;
     for (const model::Body& body : model.bodies)
         if (!body.material.empty())
             written.materials[body.name] = model.findMaterial(body.material.text);

@@ -106,41 +106,53 @@ class SenseCheck {
     }
 
     void checkTopology() {
-        for (const auto& [body, contacts] : block_.topology) {
-            std::set<std::string> seen;
-            for (const ContactBlock& contact : contacts) {
-                const bool self = contact.body.text == "self";
-                if (contact.body.text == body.text)
-                    diagnostics_.error(contact.body.place, "a body sees itself by the word self");
+        for (const auto& [body, sees] : block_.topology) {
+            std::set<std::pair<std::string, bool>> listed;
+            for (const model::Seen& seen : sees) {
+                const bool self = seen.body.text == "self";
+                if (seen.body.text == body.text)
+                    diagnostics_.error(seen.body.place, "a body sees itself by the word self");
                 if (self && kindOf(body.text) == BodyKind::observer)
-                    diagnostics_.error(contact.body.place,
-                                       "an observer has nothing to see of itself");
-                checkPair(body, contact);
-                if (!seen.insert(contact.body.text).second)
-                    diagnostics_.error(
-                        contact.body.place,
-                        "'" + contact.body.text + "' is listed twice for " + body.text);
+                    diagnostics_.error(seen.body.place, "an observer has nothing to see of itself");
+                checkPair(body, seen);
+                const bool contact = seen.as == model::SeenAs::contact;
+                if (!listed.emplace(seen.body.text, contact).second)
+                    diagnostics_.error(seen.body.place,
+                                       "'" + seen.body.text + "' is listed twice for " + body.text);
             }
         }
     }
-    void checkPair(const Name& body, const ContactBlock& contact) {
-        if (contact.body.text == "self" || contact.body.text == body.text) return;
+    void checkPair(const Name& body, const model::Seen& seen) {
+        const std::string& name = seen.body.text == "self" ? body.text : seen.body.text;
         const BodyKind one = kindOf(body.text);
-        const BodyKind other = kindOf(contact.body.text);
+        const BodyKind other = kindOf(name);
+        if (seen.as == model::SeenAs::contact) {
+            if (one != BodyKind::solid || other != BodyKind::solid)
+                diagnostics_.error(
+                    seen.body.place,
+                    fmt::format("contact is between solids: {} is {}",
+                                one != BodyKind::solid ? body.text : name,
+                                (one != BodyKind::solid ? one : other) == BodyKind::fluid
+                                    ? "a fluid"
+                                    : "an observer"));
+            return;
+        }
+        if (name == body.text) return;
         if (one == BodyKind::fluid && other == BodyKind::fluid)
-            diagnostics_.error(contact.body.place,
+            diagnostics_.error(seen.body.place,
                                fmt::format("{} and {} are both fluids, which do not act on each "
                                            "other: make them one body",
-                                           body.text, contact.body.text));
-        if (one == BodyKind::solid && other == BodyKind::solid && !contact.bonded)
-            diagnostics_.error(contact.body.place,
-                               fmt::format("nothing computes the contact of solids: {0} would pass "
-                                           "through {1}. One piece with it is '{{bonded: {1}}}'",
-                                           body.text, contact.body.text));
-        if (contact.bonded && (one != BodyKind::solid || other != BodyKind::solid))
-            diagnostics_.error(contact.body.place,
+                                           body.text, name));
+        if (one == BodyKind::solid && other == BodyKind::solid && seen.as == model::SeenAs::flow)
+            diagnostics_.error(seen.body.place,
+                               fmt::format("{0} and {1} are both solids: '{{contact: {1}}}' keeps "
+                                           "them apart, '{{bonded: {1}}}' makes them one piece",
+                                           body.text, name));
+        if (seen.as == model::SeenAs::bonded &&
+            (one != BodyKind::solid || other != BodyKind::solid))
+            diagnostics_.error(seen.body.place,
                                fmt::format("only solids are bonded to each other: {} is {}",
-                                           one != BodyKind::solid ? body.text : contact.body.text,
+                                           one != BodyKind::solid ? body.text : name,
                                            (one != BodyKind::solid ? one : other) == BodyKind::fluid
                                                ? "a fluid"
                                                : "an observer"));
@@ -159,10 +171,10 @@ class SenseCheck {
                                            type, body.text));
     }
     bool sees(const std::string& body, const std::string& other) const {
-        for (const auto& [name, contacts] : block_.topology)
+        for (const auto& [name, sees] : block_.topology)
             if (name.text == body)
-                for (const ContactBlock& contact : contacts)
-                    if (contact.body.text == other) return true;
+                for (const model::Seen& seen : sees)
+                    if (seen.as != model::SeenAs::contact && seen.body.text == other) return true;
         return false;
     }
     BodyKind kindOf(const std::string& name) const {

@@ -59,31 +59,33 @@ class NamedBodiesType final : public TypeBase {
     const Declaration& body_;
 };
 
-class ContactType final : public TypeBase {
+class SeenType final : public TypeBase {
  public:
     bool read(const Node& node, Reader& reader, void* out) const override {
-        auto& contact = *static_cast<ContactBlock*>(out);
+        auto& seen = *static_cast<model::Seen*>(out);
         const Node* body = &node;
         if (node.isMap()) {
-            if (node.entries.size() != 1 || node.entries[0].key != "bonded")
-                return reader.error(
-                    node, reader.label + " must be self, the name of a body or {bonded: NAME}");
+            const std::string key = node.entries.size() == 1 ? node.entries[0].key : "";
+            if (key != "bonded" && key != "contact")
+                return reader.error(node, reader.label +
+                                              " must be self, the name of a body, {bonded: NAME}, "
+                                              "{contact: NAME} or {contact: self}");
             body = &node.entries[0].value;
-            contact.bonded = true;
+            seen.as = key == "bonded" ? model::SeenAs::bonded : model::SeenAs::contact;
         }
-        if (body->isScalar() && body->text == "self" && !contact.bonded) {
-            contact.body = {"self", body->place};
+        if (body->isScalar() && body->text == "self" && seen.as != model::SeenAs::bonded) {
+            seen.body = {"self", body->place};
             return true;
         }
-        return bodyReference({"fluid", "solid"}).base()->read(*body, reader, &contact.body);
+        return bodyReference({"fluid", "solid"}).base()->read(*body, reader, &seen.body);
     }
     Node write(const void* value, const Node* source) const override {
-        const auto& contact = *static_cast<const ContactBlock*>(value);
-        const Place place = source ? source->place : contact.body.place;
-        Node name = Node::plain(contact.body.text).at(place);
-        if (!contact.bonded) return name;
+        const auto& seen = *static_cast<const model::Seen*>(value);
+        const Place place = source ? source->place : seen.body.place;
+        Node name = Node::plain(seen.body.text).at(place);
+        if (seen.as == model::SeenAs::flow) return name;
         Node map = Node::map().at(place);
-        map.set("bonded", std::move(name));
+        map.set(seen.as == model::SeenAs::bonded ? "bonded" : "contact", std::move(name));
         return map;
     }
     Node schema(SchemaBuilder&) const override {
@@ -91,12 +93,17 @@ class ContactType final : public TypeBase {
         schema.set("type", Node::list({Node::string("string"), Node::string("object")}));
         Node properties = Node::map();
         properties.set("bonded", schemaType("string"));
+        properties.set("contact", schemaType("string"));
         schema.set("properties", std::move(properties));
-        schema.set("required", Node::list({Node::string("bonded")}));
+        schema.set("minProperties", Node::plain("1"));
+        schema.set("maxProperties", Node::plain("1"));
         schema.set("additionalProperties", Node::plain("false"));
         return schema;
     }
-    std::string text() const override { return "self | name of a body | {bonded: name of a body}"; }
+    std::string text() const override {
+        return "self | name of a body | {bonded: name of a body} | {contact: name of a body, or "
+               "self}";
+    }
 };
 
 class FollowedType final : public TypeBase {
@@ -145,6 +152,6 @@ Type<model::Followed> followed() { return Type<model::Followed>(std::make_shared
 Type<std::vector<NamedBody>> namedBodies(const Declaration& body) {
     return Type<std::vector<NamedBody>>(std::make_shared<NamedBodiesType>(body));
 }
-Type<ContactBlock> contact() { return Type<ContactBlock>(std::make_shared<ContactType>()); }
+Type<model::Seen> seen() { return Type<model::Seen>(std::make_shared<SeenType>()); }
 
 }  // namespace sphinx::language

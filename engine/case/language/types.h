@@ -23,7 +23,7 @@ input::Type<std::vector<NamedBody>> namedBodies(const input::Declaration& body);
 /// Declares the block `multibody`.
 void declareMultibody(input::Registry& registry);
 
-input::Type<ContactBlock> contact();
+input::Type<model::Seen> seen();
 /// space | material | {body: NAME}.
 input::Type<model::Followed> followed();
 input::Type<model::TimeStep> timeStep();

@@ -69,8 +69,8 @@ bool Case::responds(const Body& body) const {
     return body.role == bodies::Role::wall && multibody && multibody->carries(body.name);
 }
 
-const std::vector<Contact>& Case::seenBy(std::string_view body) const {
-    static const std::vector<Contact> nothing;
+const std::vector<Seen>& Case::seenBy(std::string_view body) const {
+    static const std::vector<Seen> nothing;
     for (const Sight& sight : topology)
         if (sight.body.text == body) return sight.sees;
     return nothing;

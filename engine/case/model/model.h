@@ -110,15 +110,22 @@ struct Body {
     kernels::KernelType kernel(const Resolution& reference) const;
 };
 
+/// What a body is to one that sees it.
+enum class SeenAs {
+    flow,     ///< its particles act on a fluid, or those of an elastic body on each other
+    bonded,   ///< both are one piece of material
+    contact,  ///< neither goes through the other's surface
+};
+
 /// One body that another sees.
-struct Contact {
-    Name body;            ///< the body itself for `self`
-    bool bonded = false;  ///< both are one piece of material
+struct Seen {
+    Name body;  ///< the body itself for `self`
+    SeenAs as = SeenAs::flow;
 };
 
 struct Sight {
     Name body;
-    std::vector<Contact> sees;
+    std::vector<Seen> sees;
 };
 
 using loop::Fit;
@@ -198,7 +205,7 @@ struct Case {
     /// bodies::Body::responds() of it.
     bool responds(const Body& body) const;
     /// What the body sees; empty when topology does not name it.
-    const std::vector<Contact>& seenBy(std::string_view body) const;
+    const std::vector<Seen>& seenBy(std::string_view body) const;
 };
 
 }  // namespace sphinx::model

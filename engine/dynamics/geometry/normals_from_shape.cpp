@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
+#include "bodies/pose.h"
 #include "core/parallel.h"
 #include "dynamics/methods.h"
 
@@ -61,6 +62,7 @@ class NormalsFromShape final : public Method {
     Vec<Dim> smoothedNormal(const Vec<Dim>& x) const;
     double depthAlong(const Vec<Dim>& x, const Vec<Dim>& normal) const;
 
+    const Domain<Dim>* domain_;
     Body<Dim>* body_;
     sphinx::geometry::ShapePointer<Dim> shape_;
     std::vector<sphinx::geometry::ShapePointer<Dim>> others_;
@@ -72,7 +74,8 @@ class NormalsFromShape final : public Method {
 
 template <int Dim>
 NormalsFromShape<Dim>::NormalsFromShape(Context<Dim>& context, const NormalsFromShapeParameters& p)
-    : body_(&bodyOf(context, p.body)),
+    : domain_(&context.world.domain),
+      body_(&bodyOf(context, p.body)),
       shape_(wholeShape(*body_)),
       normal_(body_->particles.vector(fields::normal)),
       initial_normal_(body_->particles.vector(fields::initial_normal)),
@@ -151,9 +154,14 @@ double NormalsFromShape<Dim>::depthAlong(const Vec<Dim>& x, const Vec<Dim>& norm
 
 template <int Dim>
 void NormalsFromShape<Dim>::run(const Clock&) {
-    const auto& position = body_->particles.position();
+    // The joints of a mechanism may begin elsewhere than the shape was drawn.
+    const auto* drawn =
+        dynamic_cast<const Field<Vec<Dim>>*>(body_->particles.find(fields::initial_position.name));
+    const auto& places = drawn ? *drawn : body_->particles.position();
+    const Mat<Dim> turn = body_->isElastic() ? Mat<Dim>(Mat<Dim>::Identity())
+                                             : bodies::poseOf<Dim>(*body_, nullptr, *domain_).turn;
     parallelFor(body_->size(), [&](std::size_t i) {
-        const Vec<Dim>& x = position[i];
+        const Vec<Dim>& x = places[i];
         Vec<Dim> normal = shape_->normal(x);
         double depth = -shape_->signedDistance(x);
         // Further inside no fluid sees the particle.
@@ -168,7 +176,7 @@ void NormalsFromShape<Dim>::run(const Clock&) {
                 }
             }
         }
-        normal_[i] = normal;
+        normal_[i] = turn * normal;
         initial_normal_[i] = normal;
         depth_[i] = depth;
     });

@@ -197,7 +197,8 @@ Received Mechanism::received(int body) const {
     mean.total = forceOf(load, s.passed[b] / s.last_step);
     mean.viscous = load.viscous;
     mean.material = load.material;
-    mean.pressure = mean.total - load.viscous - load.material;
+    mean.contact = load.contact;
+    mean.pressure = mean.total - load.viscous - load.material - load.contact;
     return mean;
 }
 

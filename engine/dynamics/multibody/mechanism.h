@@ -171,12 +171,13 @@ struct BodyLoad {
     Screw pressure = Screw::Zero();  ///< of fluids
     Screw viscous = Screw::Zero();   ///< of fluids
     Screw material = Screw::Zero();  ///< of elastic material, and of what pushes that
+    Screw contact = Screw::Zero();   ///< of other surfaces
     /// Z and b of an answer b - Z (v, omega) to the body's motion within the step: force and moment
     /// about the centre of mass.
     ScrewMatrix impedance = ScrewMatrix::Zero();
     Screw answered = Screw::Zero();
 
-    Screw force() const { return pressure + viscous + material; }
+    Screw force() const { return pressure + viscous + material + contact; }
 };
 
 /// Means over a step, forces and moments about the centre of mass.
@@ -185,6 +186,7 @@ struct Received {
     Screw pressure = Screw::Zero();  ///< with the answer of the fluid
     Screw viscous = Screw::Zero();
     Screw material = Screw::Zero();
+    Screw contact = Screw::Zero();
 };
 
 struct BodyMotion {

@@ -8,6 +8,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
+
 namespace sphinx::dynamics::multibody {
 namespace {
 
@@ -39,6 +42,8 @@ void MovedPart<Dim>::prepare() {
     };
     if (made(fields::pressure_force)) pressure_force_ = &particles.vector(fields::pressure_force);
     if (made(fields::viscous_force)) viscous_force_ = &particles.vector(fields::viscous_force);
+    if (made(fields::contact_force)) contact_force_ = &particles.vector(fields::contact_force);
+    if (made(fields::contact_turn)) contact_turn_ = &particles.vector(fields::contact_turn);
     if (made(fields::radiation_impedance)) {
         impedance_ = &particles.matrix(fields::radiation_impedance);
         seen_ = &particles.vector(fields::average_velocity);
@@ -68,6 +73,7 @@ bool MovedPart<Dim>::isLoaded(std::size_t i) const {
     const Vec<Dim> none = Vec<Dim>::Zero();
     return (pressure_force_ && (*pressure_force_)[i] != none) ||
            (viscous_force_ && (*viscous_force_)[i] != none) ||
+           (contact_force_ && (*contact_force_)[i] != none) ||
            (impedance_ && (*impedance_)[i].trace() > 0);
 }
 
@@ -79,8 +85,8 @@ void MovedPart<Dim>::addLoad(const RigidBody& body, const BodyMotion& motion, Bo
     loaded_.clear();
     for (std::size_t n = 0; n < part_.size(); ++n)
         if (elastic || isLoaded(part_[n])) loaded_.push_back(part_[n]);
-    // Three forces with their moments, Z u with its moment, and the upper triangle of the matrix.
-    using Sum = std::array<double, 4 * 6 + 21>;
+    // Four forces with their moments, Z u with its moment, and the upper triangle of the matrix.
+    using Sum = std::array<double, 5 * 6 + 21>;
     const Sum sum = sumAll(loaded_.size(), [&](std::size_t n) {
         const std::size_t i = loaded_[n];
         const auto A = motionAt(armOf(i, body, motion));
@@ -90,27 +96,35 @@ void MovedPart<Dim>::addLoad(const RigidBody& body, const BodyMotion& motion, Bo
             Z.template topLeftCorner<Dim, Dim>() = (*impedance_)[i];
             u = inSpace<Dim>((*seen_)[i]);
         }
-        Vec<Dim> pressure = Vec<Dim>::Zero(), viscous = pressure, material = pressure;
+        Vec<Dim> pressure = Vec<Dim>::Zero(), viscous = pressure, material = pressure,
+                 contact = pressure;
         if (pressure_force_) pressure = (*pressure_force_)[i];
         if (viscous_force_) viscous = (*viscous_force_)[i];
+        if (contact_force_) contact = (*contact_force_)[i];
         if (elastic) {
-            material = mass_[i] * (acceleration_[i] - gravity) - pressure - viscous;
+            material = mass_[i] * (acceleration_[i] - gravity) - pressure - viscous - contact;
             material += (Z * (inSpace<Dim>(velocity_[i]) - u)).template head<Dim>();
         }
         const ScrewMatrix impedance = A.transpose() * Z * A;
         Sum terms;
         std::size_t k = 0;
-        for (const Vector& f : {inSpace<Dim>(pressure), inSpace<Dim>(viscous),
-                                inSpace<Dim>(material), Vector(Z * u)}) {
-            const Screw force = A.transpose() * f;
+        std::array<Screw, 5> forces;
+        std::ranges::transform(
+            std::array{inSpace<Dim>(pressure), inSpace<Dim>(viscous), inSpace<Dim>(material),
+                       inSpace<Dim>(contact), Vector(Z * u)},
+            forces.begin(), [&](const Vector& f) -> Screw { return A.transpose() * f; });
+        if (contact_turn_)
+            forces[3].template tail<3>() -=
+                inSpace<Dim>((*normal_)[i]).cross(inSpace<Dim>((*contact_turn_)[i]));
+        for (const Screw& force : forces)
             for (int c = 0; c < 6; ++c) terms[k++] = force[c];
-        }
         for (int row = 0; row < 6; ++row)
             for (int column = row; column < 6; ++column) terms[k++] = impedance(row, column);
         return terms;
     });
     std::size_t k = 0;
-    for (Screw* force : {&load.pressure, &load.viscous, &load.material, &load.answered})
+    for (Screw* force :
+         {&load.pressure, &load.viscous, &load.material, &load.contact, &load.answered})
         for (int c = 0; c < 6; ++c) (*force)[c] += sum[k++];
     for (int row = 0; row < 6; ++row)
         for (int column = row; column < 6; ++column, ++k) {

@@ -20,6 +20,7 @@ class MovedPart {
     /// At the start: rigid ones where the joints put them, elastic ones with the velocity.
     void place(const RigidBody& body, const BodyMotion& start);
 
+    Body<Dim>& body() const { return part_.body(); }
     std::size_t size() const { return part_.size(); }
     /// Adds what acts on the particles, about the centre of mass: the force f of fluids, of elastic
     /// material and of methods that push it, and where fluids answer the motion within their step
@@ -53,6 +54,8 @@ class MovedPart {
     // Where something has made them.
     const Field<Vec<Dim>>* pressure_force_ = nullptr;
     const Field<Vec<Dim>>* viscous_force_ = nullptr;
+    const Field<Vec<Dim>>* contact_force_ = nullptr;
+    const Field<Vec<Dim>>* contact_turn_ = nullptr;
     const Field<Mat<Dim>>* impedance_ = nullptr;
     const Field<Vec<Dim>>* seen_ = nullptr;
     Field<Vec<Dim>>* slip_ = nullptr;

@@ -67,6 +67,8 @@ void Step<Dim>::prepare() {
     }
     for (Moved& moved : moved_) {
         moved.part.prepare();
+        if (auto* wall = std::get_if<bodies::WallRole>(&moved.part.body().role))
+            wall->carried_mass = mechanism_->description().bodies[moved.body].mass;
         if (state_.empty())
             moved.part.place(mechanism_->description().bodies[moved.body],
                              mechanism_->motion(static_cast<int>(moved.body)));
@@ -223,10 +225,10 @@ void declareStep(input::Registry& registry) {
          "rigid bodies: between the halves of their fluid's pressure relaxation; with parts of "
          "elastic bodies: between the halves of their step")
         .reads("parts", {"initial_position", "position", "mass", "volume"})
-        .mayRead("parts", {"pressure_force", "viscous_force", "radiation_impedance",
-                           "average_velocity", "slip"})
+        .mayRead("parts", {"pressure_force", "viscous_force", "contact_force",
+                           "radiation_impedance", "average_velocity", "slip"})
         .mayRead("parts.elastic", {"acceleration", "velocity"})
-        .mayRead("parts.rigid", {"initial_normal", "normal"})
+        .mayRead("parts.rigid", {"initial_normal", "normal", "contact_turn"})
         .writes("parts", {"position", "velocity"})
         .writes("parts.rigid", {"acceleration"})
         .mayWrite("parts", {"slip"})

@@ -186,6 +186,13 @@ template <int Dim>
 void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
     prepare();
     materials::withLaw(*solid_, [&](const auto& law) { stress(law, clock, damping); });
+    for (const ContactStress<Dim>* contact : context_->contact_stresses) {
+        if (contact->body != body_) continue;
+        for (std::size_t n = 0; n < contact->particles.size(); ++n) {
+            const Index i = contact->particles[n];
+            stress_[i] += contact->stress[n] * correction_[i].transpose();
+        }
+    }
 }
 
 template <int Dim>

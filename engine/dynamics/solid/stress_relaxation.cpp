@@ -31,7 +31,10 @@ class StressRelaxation final : public Method {
  public:
     StressRelaxation(Context<Dim>& context, const StressRelaxationParameters& p);
     void announce() override { deformation_.announce(); }
-    void prepare() override { deformation_.prepare(); }
+    void prepare() override {
+        deformation_.prepare();
+        outer_.prepare(body_->particles);
+    }
     std::size_t workSize() const override { return body_->size(); }
 
     void firstHalf(const Clock& clock);
@@ -71,8 +74,9 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
     radiation_.begin(dt);
     parallelForGroups(body_->size(), [&](const Group& group) {
         using Vector = VecOf<Dim, Wide>;
-        const Vector force = load(volume_, group) * deformation_.stressDivergence(group) +
-                             load(outer_.pressure, group) + load(outer_.viscous, group);
+        Vector force = load(volume_, group) * deformation_.stressDivergence(group) +
+                       load(outer_.pressure, group) + load(outer_.viscous, group);
+        if (outer_.contact) force += load(*outer_.contact, group);
         Vector a = force / load(mass_, group) + load(outer_.external, group);
         Vector v = load(velocity_, group) + dt * a;
         if (radiation_.acts()) {
@@ -145,7 +149,7 @@ void declareStressRelaxation(input::Registry& registry) {
                         "correction_matrix", "deformation_gradient", "deformation_rate",
                         "external_acceleration", "pressure_force", "viscous_force"})
         .reads("bonded", {"initial_position", "position", "volume", "corrected_stress"})
-        .mayRead("body", {"radiation_impedance", "average_velocity"})
+        .mayRead("body", {"radiation_impedance", "average_velocity", "contact_force"})
         .writes("body", {"deformation_gradient", "corrected_stress", "density", "position",
                          "velocity", "acceleration"})
         .opens("body", "step");

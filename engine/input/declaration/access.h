@@ -27,6 +27,7 @@ struct Access {
     std::string owner;
     std::string field;  ///< of particles/fields.h, a pseudo field of dynamics/dynamics.h, or a span
     bool if_made = false;  ///< only where another method of the loop writes the field
+    bool result = false;   ///< worth adding to even if the loop does not read it
 };
 
 }  // namespace sphinx::input

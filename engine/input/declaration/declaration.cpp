@@ -22,9 +22,10 @@ const char* kindName(Kind kind) {
     return "";
 }
 
-Action& Action::add(AccessMode mode, const std::string& owner, Fields fields, bool if_made) {
+Action& Action::add(AccessMode mode, const std::string& owner, Fields fields, bool if_made,
+                    bool result) {
     for (std::string_view field : fields)
-        accesses_.push_back({mode, owner, std::string(field), if_made});
+        accesses_.push_back({mode, owner, std::string(field), if_made, result});
     return *this;
 }
 

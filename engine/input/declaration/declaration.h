@@ -56,6 +56,10 @@ class Action {
     Action& accumulates(const std::string& owner, Fields fields) {
         return add(AccessMode::accumulate, owner, fields);
     }
+    /// The same of a field that is a result, which outputs alone may read; who adds takes it back.
+    Action& tells(const std::string& owner, Fields fields) {
+        return add(AccessMode::accumulate, owner, fields, false, true);
+    }
     Action& releases(const std::string& owner, Fields fields) {
         return add(AccessMode::release, owner, fields);
     }
@@ -91,7 +95,8 @@ class Action {
     }
 
  private:
-    Action& add(AccessMode mode, const std::string& owner, Fields fields, bool if_made = false);
+    Action& add(AccessMode mode, const std::string& owner, Fields fields, bool if_made = false,
+                bool result = false);
 
     std::string name_;
     std::string doc_;

@@ -44,6 +44,10 @@ std::span<const Publication> publications() {
                     "improvements and applications, Comput. Methods Appl. Mech. Eng. 139, 375-408, "
                     "1996",
                     "10.1016/S0045-7825(96)01090-0"},
+        Publication{"Schwager & Poeschel 2007",
+                    "T. Schwager, T. Poeschel, Coefficient of restitution and linear-dashpot model "
+                    "revisited, Granular Matter 9, 465-469, 2007",
+                    "10.1007/s10035-007-0065-z"},
         Publication{
             "Sherman, Seth & Delp 2011",
             "M. A. Sherman, A. Seth, S. L. Delp, Simbody: multibody dynamics for biomedical "

@@ -89,7 +89,7 @@ void checkAccumulation(const LoopFacts& facts, const Flow& flow, std::vector<Iss
                      fmt::format("{} adds to {} of {} only in some steps, while its layer zeroes "
                                  "it in all of them",
                                  line->label, key.second, key.first)});
-            checkUse(flow, *line, key, issues);
+            if (!access.result) checkUse(flow, *line, key, issues);
         }
     }
 }

@@ -14,7 +14,7 @@ std::vector<Zeroing> zeroings(const Layer& layer) {
         const auto* line = std::get_if<Call>(&layer.steps[k].value);
         if (!line) continue;
         for (const dynamics::FieldAccess& access : line->accesses)
-            if (access.mode == input::AccessMode::accumulate &&
+            if (access.mode == input::AccessMode::accumulate && !access.result &&
                 seen.insert({access.body, access.field}).second)
                 all.push_back({access.body, access.field, k});
     }

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/wide.h"
+#include "dynamics/contact/pair.h"
+
+#include <array>
+
+namespace sphinx::dynamics::contact {
+
+/// A point i of one surface has from the other, of which the points j are in reach, the gap
+///   g_i = sum_j w_ij (r_ij . n_j - d_j) / sum_j w_ij - d_i,
+///   w_ij = A_j (-n_i . n_j - 1/2) W(r_ij),
+/// over those j whose normals oppose its own to 60 degrees: the distance to the planes above the
+/// points j less the depth at which i lies below its own surface (an edge is a ball in place of a
+/// plane). For plane surfaces it is exact, wherever their particles lie. Both surfaces have the
+/// energy
+///   E = sum_i kappa/4 A_i g_i^2   over the points of both with g_i < 0,
+/// and what acts on a particle is its derivative by the place: that by the gap, pushed back where
+/// the weights are, w_ij/sum_j w_ij n_j, and that by the weights. The normals turn with F, or with
+/// a rigid body: the derivative by them is a stress (ContactStress), or a moment. So without
+/// friction momentum, angular momentum and energy are kept; README.md has what happens without.
+///
+/// Friction acts along the surface and at it, from its velocity at i, v_i + d_i dn_i/dt, relative
+/// to the mean of those at the points j (at an edge from v_i, at i), and is pushed back as the
+/// weights are:
+///   - Coulomb: a spring of the same stiffness along the surface, stretched by the way since they
+///     touched, whose force is at most mu times the normal one: what sticks does not creep.
+///   - viscous: a layer of that viscosity, a spacing thick.
+template <int Dim>
+class SurfacePair final : public Pair<Dim> {
+ public:
+    SurfacePair(const Domain<Dim>& domain, Surface<Dim>& a, Surface<Dim>& b, const PairLaw& law);
+
+    void act(double dt) override;
+    /// How far friction has been stretched.
+    void transfer(Archive& archive) override;
+
+ private:
+    using Vector = VecOf<Dim, Wide>;
+    /// How a point meets the other surface.
+    struct Touch {
+        double weight = 0;                     // sum of w_ij; 0: it does not
+        double gap = 0;                        // length
+        Vec<Dim> normal = Vec<Dim>::Zero();    // slope of the gap; not quite of length 1
+        Vec<Dim> velocity = Vec<Dim>::Zero();  // relative to the other surface
+        Vec<Dim> turn = Vec<Dim>::Zero();      // slope of the gap, by the normal of i
+    };
+    /// What the points of the other surface that it meets have to know of it.
+    struct alignas(32) Share {
+        double normal = 0;  // force over weight; 0: it meets nothing
+        double above = 0;   // mean of View::above
+        double unused[2] = {};
+        double friction[3] = {};
+        double more_unused = 0;
+    };
+    /// Points of one surface that meet those of the other.
+    struct Side {
+        Surface<Dim>* from;
+        Surface<Dim>* to;
+        const typename Search<Dim>::Lists* lists;
+        std::vector<Touch> touches;   // of all points
+        AlignedVector<Share> shares;  // likewise
+        std::vector<Vec<Dim>> stretch;
+        std::vector<Index> near;  // of the lists, those within reach, in the same places
+        std::vector<std::uint32_t> near_count;
+    };
+    /// Eight points, or one of them for all.
+    struct Points {
+        Vector place, normal;
+        Wide depth, area, edge;
+    };
+    /// How points i see points j of the other surface.
+    struct View {
+        Wide weight;    // 0: out of reach, or their normals do not oppose
+        Vector slope;   // of the weight, by the place of i
+        Wide above;     // how far i is above the plane or the ball of j
+        Vector normal;  // slope of that
+        Vector apart;   // from j to i
+        Wide bare;      // of the weight what does not depend on normals
+    };
+    Points one(const Surface<Dim>& surface, std::size_t n) const;
+    Points eight(const Surface<Dim>& surface, const Index* points) const;
+    Vector apart(const Vector& a, const Vector& b) const;
+    /// Nothing beyond the first `count` lanes.
+    View view(const Points& i, const Points& j, std::size_t count) const;
+    /// Takes those within reach out of the lists of a point.
+    void findNear(Side& side, Index n) const;
+    void meet(Side& side);
+    void push(Side& side, double damping_time, double dt);
+    /// What points of `side` get and what those of the other surface push back.
+    void collect(Side& side, const Side& back);
+    double dampingTime() const;
+
+    double spacing_;                             // the larger one
+    std::vector<Side> sides_;                    // two, or one of a surface with itself
+    std::array<std::vector<double>, 2> loaded_;  // stretch of a restart, until the points are known
+};
+
+}  // namespace sphinx::dynamics::contact
