@@ -66,6 +66,7 @@ void Surface<Dim>::find() {
         point.depth = depth_[i];
         point.area = volume_[i] / body_->spacing;
         point.edge = (face - initial_normal_[i]).norm() > 0.1 ? 1 : 0;
+        if (point.edge > 0) point.tip = wayOut(initial_position_[i], initial_normal_[i]);
         points_.push_back(point);
     }
     turns_.clear();
@@ -73,6 +74,18 @@ void Surface<Dim>::find() {
     turned_.clear();
     if (gradient_) inverse_gradients_.resize(particles_.size());
     body_version_ = ~std::uint64_t{0};
+}
+
+template <int Dim>
+double Surface<Dim>::wayOut(const Vec<Dim>& from, const Vec<Dim>& along) const {
+    // The distance to the surface never leads beyond it.
+    double way = 0;
+    for (int k = 0; k < 100; ++k) {
+        const double left = -body_->shape->signedDistance(from + way * along);
+        if (left < 1e-6 * body_->spacing) break;
+        way += left;
+    }
+    return std::min(way, 2 * body_->spacing);  // of a spike
 }
 
 template <int Dim>
@@ -126,11 +139,13 @@ void Surface<Dim>::take(const std::vector<Index>& points) {
             normal_rate = -inverse.transpose() * ((*gradient_rate_)[i].transpose() * normal);
             normal_rate -= normal.dot(normal_rate) * normal;
         }
-        const Vec<Dim> velocity = velocity_[i] + slipArm(n) * normal_rate;
+        const Vec<Dim> velocity = velocity_[i] + backArm(n) * normal_rate;
+        const Vec<Dim> slip = velocity_[i] + slipArm(n) * normal_rate;
         for (int c = 0; c < Dim; ++c) {
             point.place[c] = place[c];
             point.normal[c] = normal[c];
             point.velocity[c] = velocity[c];
+            point.slip[c] = slip[c];
         }
     });
 }

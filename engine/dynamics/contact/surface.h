@@ -12,7 +12,7 @@ namespace sphinx::dynamics::contact {
 /// The surface of a solid as contact sees it: the particles that lie less than a spacing below it.
 /// However a lattice lies under a surface, there is one of them for each dp^(Dim-1) of it. Each
 /// stands for the plane at its depth above it, along its normal; at an edge, where faces of several
-/// normals meet, for a ball of that radius.
+/// normals meet, for a ball of that radius, and for the tip of the edge where that meets a plane.
 template <int Dim>
 class Surface {
  public:
@@ -23,8 +23,10 @@ class Surface {
         double depth = 0;         ///< length
         double normal[3] = {};    ///< outwards
         double area = 0;          ///< V/dp: of the undeformed surface
-        double velocity[3] = {};  ///< of the surface above it (slipArm), before the kick
+        double velocity[3] = {};  ///< of the surface above it, before the kick; at an edge its own
         double edge = 0;          ///< 1 or 0
+        double slip[3] = {};      ///< the same, at an edge of its tip
+        double tip = 0;           ///< how far an edge reaches along the normal; else 0
     };
 
     /// Its particles are those less than `depth` deep. `loads`: of the same body.
@@ -50,9 +52,13 @@ class Surface {
     const double* records() const { return points_.data()->place; }
     /// Index in the body of the n-th point.
     Index particle(std::size_t n) const { return particles_[n]; }
-    /// How far above a point friction acts: at the surface. Which side of the ball of an edge that
-    /// is depends on what it meets; there it acts at the point.
-    double slipArm(std::size_t n) const { return points_[n].edge > 0 ? 0 : points_[n].depth; }
+    /// How far above a point friction acts that it feels itself: at the surface, or the tip of an
+    /// edge.
+    double slipArm(std::size_t n) const {
+        return points_[n].edge > 0 ? points_[n].tip : points_[n].depth;
+    }
+    /// And that which is pushed back: on the ball of an edge there is no such place.
+    double backArm(std::size_t n) const { return points_[n].edge > 0 ? 0 : points_[n].depth; }
     /// In the reference configuration.
     const Vec<Dim>& initialPlace(std::size_t n) const;
     /// Before the pairs of a step: nothing turns its normals yet.
@@ -74,6 +80,8 @@ class Surface {
  private:
     void find();
     void findSpin();
+    /// From a point of the reference configuration to the surface.
+    double wayOut(const Vec<Dim>& from, const Vec<Dim>& along) const;
 
     const Domain<Dim>* domain_;
     Body<Dim>* body_;

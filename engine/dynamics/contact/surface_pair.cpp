@@ -62,6 +62,7 @@ template <int Dim>
     all.depth = point.depth;
     all.area = point.area;
     all.edge = point.edge;
+    all.tip = point.tip;
     return all;
 }
 
@@ -80,6 +81,7 @@ template <int Dim>
     all.depth = place[3];
     all.area = normal[3];
     all.edge = gatherStrided<stride>(surface.records() + 11, points);
+    all.tip = gatherStrided<stride>(surface.records() + 15, points);
     return all;
 }
 
@@ -108,9 +110,12 @@ template <int Dim>
     const Wide inverse = 1 / sqrt(max(squared, 1e-300));
     for (int c = 0; c < Dim; ++c)
         seen.normal[c] = select(j.edge > 0, seen.apart[c] * inverse, j.normal[c]);
-    seen.above = seen.apart.dot(seen.normal) - j.depth;
+    const LaneMask sharp = (i.edge > 0) & !(j.edge > 0);
+    for (int c = 0; c < Dim; ++c) seen.turned[c] = select(sharp, i.tip * j.normal[c], 0);
+    seen.gap = seen.apart.dot(seen.normal) - j.depth +
+               select(sharp, i.tip * i.normal.dot(j.normal), -i.depth);
     const LaneMask valid = (lane < static_cast<std::int64_t>(count)) & (near > 0) & (opposed > 0) &
-                           (seen.above - i.depth > -deepest * spacing_);
+                           (seen.gap > -deepest * spacing_);
     const Wide bare = select(valid, j.area * near * near, 0);
     seen.bare = bare * near;
     seen.weight = opposed * seen.bare;
@@ -154,21 +159,22 @@ void SurfacePair<Dim>::meet(Side& side) {
         findNear(side, n);
         const Points i = one(from, n);
         const Vector zero = Vector::Zero();
-        Wide weight = 0, above = 0;
-        Vector normal = zero, velocity = zero, slope = zero, slope_above = zero, bare = zero,
-               bare_above = zero;
+        Wide weight = 0, gap = 0;
+        Vector normal = zero, velocity = zero, slope = zero, slope_gap = zero, bare = zero,
+               bare_gap = zero, turned = zero;
         const Index* near = side.near.data() + side.lists->first(n);
         const std::size_t count = side.near_count[n];
         for (std::size_t k = 0; k < count; k += lane_count) {
             const Points j = eight(*side.to, near + k);
             const View seen = view(i, j, count - k);
             weight += seen.weight;
-            above += seen.weight * seen.above;
+            gap += seen.weight * seen.gap;
             normal += seen.weight * seen.normal;
             slope += seen.slope;
-            slope_above += seen.above * seen.slope;
+            slope_gap += seen.gap * seen.slope;
             bare -= seen.bare * j.normal;
-            bare_above -= seen.above * seen.bare * j.normal;
+            bare_gap -= seen.gap * seen.bare * j.normal;
+            turned += seen.weight * seen.turned;
             Lanes moves[4];
             constexpr int stride = sizeof(typename Surface<Dim>::Point) / sizeof(double);
             gatherRecords<stride>(side.to->records() + 8, near + k, moves);
@@ -183,14 +189,13 @@ void SurfacePair<Dim>::meet(Side& side) {
         Share share;
         touch.weight = sumLanes(weight.at);
         if (touch.weight > 0) {
-            share.above = sumLanes(above.at) / touch.weight;
-            touch.gap = share.above - from[n].depth;
+            share.gap = sumLanes(gap.at) / touch.weight;
+            touch.gap = share.gap;
         }
         if (touch.gap < 0) {
-            touch.normal =
-                (sum(normal) + sum(slope_above) - share.above * sum(slope)) / touch.weight;
-            touch.turn = (sum(bare_above) - share.above * sum(bare)) / touch.weight;
-            const Eigen::Map<const Vec<Dim>> own(from[n].velocity);
+            touch.normal = (sum(normal) + sum(slope_gap) - share.gap * sum(slope)) / touch.weight;
+            touch.turn = (sum(bare_gap) - share.gap * sum(bare) + sum(turned)) / touch.weight;
+            const Eigen::Map<const Vec<Dim>> own(from[n].slip);
             touch.velocity = own - sum(velocity) / touch.weight;
         } else {
             touch = {};
@@ -276,21 +281,23 @@ void SurfacePair<Dim>::collect(Side& side, const Side& back) {
             gatherRecords<stride>(back.shares.data()->friction, near + k, friction);
             const Points j = eight(to, near + k);
             const View seen = view(j, i, count - k);
-            const Wide force = share[0], beyond = seen.above - Wide(share[1]);
+            const Wide force = share[0], beyond = seen.gap - Wide(share[1]);
             pushed += force * (seen.weight * seen.normal + beyond * seen.slope);
             for (int c = 0; c < Dim; ++c) rubbed[c] += seen.weight * Wide(friction[c]);
             const Wide flat = select(i.edge > 0, 0, seen.weight);
-            turned += force * (flat * seen.apart - (beyond * seen.bare) * j.normal);
+            const Wide tip = select(j.edge > 0, j.tip, 0);
+            turned +=
+                force * (flat * (seen.apart + tip * j.normal) - (beyond * seen.bare) * j.normal);
         }
-        const double arm = from.slipArm(n);
         Vec<Dim> force, turn;
         for (int c = 0; c < Dim; ++c) {
-            const double friction = touch.weight * own.friction[c] - sumLanes(rubbed[c].at);
+            const double felt = touch.weight * own.friction[c];
+            const double back = -sumLanes(rubbed[c].at);
             force[c] =
-                touch.weight * own.normal * touch.normal[c] - sumLanes(pushed[c].at) + friction;
+                touch.weight * own.normal * touch.normal[c] - sumLanes(pushed[c].at) + felt + back;
             // dE = -f dg, and the work of friction, f (dr + arm dn)
             turn[c] = -touch.weight * own.normal * touch.turn[c] - sumLanes(turned[c].at) -
-                      arm * friction;
+                      from.slipArm(n) * felt - from.backArm(n) * back;
         }
         if (force.isZero(0)) return;
         from.turn(n, turn);

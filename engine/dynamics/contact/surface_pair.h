@@ -10,12 +10,12 @@
 namespace sphinx::dynamics::contact {
 
 /// A point i of one surface has from the other, of which the points j are in reach, the gap
-///   g_i = sum_j w_ij (r_ij . n_j - d_j) / sum_j w_ij - d_i,
+///   g_i = sum_j w_ij (r_ij . n_j - d_j - d_i) / sum_j w_ij,
 ///   w_ij = A_j (-n_i . n_j - 1/2) W(r_ij),
 /// over those j whose normals oppose its own to 60 degrees: the distance to the planes above the
-/// points j less the depth at which i lies below its own surface (an edge is a ball in place of a
-/// plane). For plane surfaces it is exact, wherever their particles lie. Both surfaces have the
-/// energy
+/// points j less the depth at which i lies below its own surface. For plane surfaces it is exact,
+/// wherever their particles lie. An edge j is a ball in place of a plane, an edge i that meets a
+/// plane has its tip at r_i + L n_i in place of a depth. Both surfaces have the energy
 ///   E = sum_i kappa/4 A_i g_i^2   over the points of both with g_i < 0,
 /// and what acts on a particle is its derivative by the place: that by the gap, pushed back where
 /// the weights are, w_ij/sum_j w_ij n_j, and that by the weights. The normals turn with F, or with
@@ -23,8 +23,7 @@ namespace sphinx::dynamics::contact {
 /// friction momentum, angular momentum and energy are kept; README.md has what happens without.
 ///
 /// Friction acts along the surface and at it, from its velocity at i, v_i + d_i dn_i/dt, relative
-/// to the mean of those at the points j (at an edge from v_i, at i), and is pushed back as the
-/// weights are:
+/// to the mean of those at the points j, and is pushed back as the weights are:
 ///   - Coulomb: a spring of the same stiffness along the surface, stretched by the way since they
 ///     touched, whose force is at most mu times the normal one: what sticks does not creep.
 ///   - viscous: a layer of that viscosity, a spacing thick.
@@ -50,7 +49,7 @@ class SurfacePair final : public Pair<Dim> {
     /// What the points of the other surface that it meets have to know of it.
     struct alignas(32) Share {
         double normal = 0;  // force over weight; 0: it meets nothing
-        double above = 0;   // mean of View::above
+        double gap = 0;     // mean of View::gap
         double unused[2] = {};
         double friction[3] = {};
         double more_unused = 0;
@@ -69,14 +68,15 @@ class SurfacePair final : public Pair<Dim> {
     /// Eight points, or one of them for all.
     struct Points {
         Vector place, normal;
-        Wide depth, area, edge;
+        Wide depth, area, edge, tip;
     };
     /// How points i see points j of the other surface.
     struct View {
         Wide weight;    // 0: out of reach, or their normals do not oppose
         Vector slope;   // of the weight, by the place of i
-        Wide above;     // how far i is above the plane or the ball of j
+        Wide gap;       // between i and the plane or the ball of j
         Vector normal;  // slope of that
+        Vector turned;  // and by the normal of i, at an edge
         Vector apart;   // from j to i
         Wide bare;      // of the weight what does not depend on normals
     };
