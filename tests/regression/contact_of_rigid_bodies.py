@@ -51,10 +51,10 @@ def tips(report, rows):
     width, height = 0.1, 0.4
     sharp = checks.table(HERE / "reference/block_tipping.csv")
     for row in rows:
-        b = block(width=width, height=height, spacing=width / row, slope=SLOPE, friction=2, modulus=1e8, end=0.3)
+        b = block(width=width, height=height, spacing=width / row, slope=SLOPE, friction=2, modulus=1e9, end=0.3)
         report.check(f"tips, {row} spacings wide: angle after 0.3 s less the exact one, of it",
-                     -b["angle"][-1] / np.interp(b["time"][-1], sharp["t"], sharp["angle_rad"]) - 1, -0.05, 0.05,
-                     "the layer of contact gives way while it begins to lean")
+                     -b["angle"][-1] / np.interp(b["time"][-1], sharp["t"], sharp["angle_rad"]) - 1, -0.02, 0.02,
+                     "measured 0.012; 0.036 and 0.004 with a tenth and ten times the modulus")
 
 
 def pushed(report, rows=20):
