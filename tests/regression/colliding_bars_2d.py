@@ -58,6 +58,18 @@ def plot():
     checks.save_plot(figure, CASE, "velocities.png")
 
 
+def by_density(report):
+    """The contact of the guide, cases/bars_by_density.yaml: it is elastic and keeps the momentum as well."""
+    run = checks.Run(checks.REPOSITORY / "tests/regression/cases/bars_by_density.yaml", "outputs.frames.every={time: 100}")
+    left, right = run.series("left"), run.series("right")
+    start = left["momentum_x"][0]
+    energy = run.series("left_energy")["total"] + run.series("right_energy")["total"]
+    report.check("by density: v1/V", left["momentum_x"][-1] / start, -0.01, 0.01, "measured 1e-5")
+    report.check("by density: v2/V less 1", right["momentum_x"][-1] / start - 1, -0.01, 0.01)
+    report.check("by density: change of momentum, of sum m v", np.ptp(left["momentum_x"] + right["momentum_x"]) / start, 0, 1e-12)
+    report.check("by density: energy afterwards, less that before, of it", energy[-1] / energy[0] - 1, -1e-3, 1e-4)
+
+
 def main():
     options = checks.arguments(study=study, plot=plot)
     report = checks.Report()
@@ -71,6 +83,7 @@ def main():
                          -0.1, 0.1 + 2 / rows)
             report.check(f"{what}: change of momentum, of sum m v", found["momentum"], 0, 1e-12)
             report.check(f"{what}: rise of the energy, of the kinetic", found["rise"], 0, 1e-4)
+    by_density(report)
     report.end()
 
 
