@@ -6,10 +6,13 @@
 
 namespace sphinx::dynamics {
 
-bool WrittenCase::responds(std::string_view body) const {
-    if (std::ranges::find(carried, body) != carried.end()) return true;
+bool WrittenCase::isElastic(std::string_view body) const {
     const auto material = materials.find(body);
     return material != materials.end() && material->second->declaration->hasTrait("elastic");
+}
+
+bool WrittenCase::responds(std::string_view body) const {
+    return std::ranges::find(carried, body) != carried.end() || isElastic(body);
 }
 
 void warnUnbounded(const input::Component& method, const WrittenCase& written,

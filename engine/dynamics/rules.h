@@ -55,6 +55,7 @@ struct WrittenCase {
     bool calls(const input::Component& method) const {
         return std::ranges::find(called, &method) != called.end();
     }
+    bool isElastic(std::string_view body) const;
     /// Whether the body is elastic, or rigid and carried by a body of the mechanism.
     bool responds(std::string_view body) const;
     bool sees(std::string_view body, std::string_view other) const {

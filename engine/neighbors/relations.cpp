@@ -2,20 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "neighbors/relations.h"
 
+#include "neighbors/common_kernel.h"
 #include "neighbors/list_builder.h"
 
 #include <algorithm>
 
 namespace sphinx::neighbors {
-namespace {
-
-/// Both directions of a pair of different kernels use that of the larger reach.
-template <int Dim>
-const kernels::Kernel<Dim>& commonKernel(const bodies::Body<Dim>& a, const bodies::Body<Dim>& b) {
-    return a.kernel.cutoff() >= b.kernel.cutoff() ? a.kernel : b.kernel;
-}
-
-}  // namespace
 
 template <int Dim>
 Relation<Dim>& Relations<Dim>::relation(Purpose purpose, const bodies::Body<Dim>& from,

@@ -126,17 +126,15 @@ class SenseCheck {
         const std::string& name = seen.body.text == "self" ? body.text : seen.body.text;
         const BodyKind one = kindOf(body.text);
         const BodyKind other = kindOf(name);
-        if (seen.as == model::SeenAs::contact) {
-            if (one != BodyKind::solid || other != BodyKind::solid)
-                diagnostics_.error(
-                    seen.body.place,
-                    fmt::format("contact is between solids: {} is {}",
-                                one != BodyKind::solid ? body.text : name,
-                                (one != BodyKind::solid ? one : other) == BodyKind::fluid
-                                    ? "a fluid"
-                                    : "an observer"));
-            return;
-        }
+        const auto wantSolids = [&](const char* what) {
+            const bool first = one != BodyKind::solid;
+            if (!first && other == BodyKind::solid) return;
+            const bool fluid = (first ? one : other) == BodyKind::fluid;
+            diagnostics_.error(seen.body.place,
+                               fmt::format("{}: {} is {}", what, first ? body.text : name,
+                                           fluid ? "a fluid" : "an observer"));
+        };
+        if (seen.as == model::SeenAs::contact) return wantSolids("contact is between solids");
         if (name == body.text) return;
         if (one == BodyKind::fluid && other == BodyKind::fluid)
             diagnostics_.error(seen.body.place,
@@ -148,14 +146,7 @@ class SenseCheck {
                                fmt::format("{0} and {1} are both solids: '{{contact: {1}}}' keeps "
                                            "them apart, '{{bonded: {1}}}' makes them one piece",
                                            body.text, name));
-        if (seen.as == model::SeenAs::bonded &&
-            (one != BodyKind::solid || other != BodyKind::solid))
-            diagnostics_.error(seen.body.place,
-                               fmt::format("only solids are bonded to each other: {} is {}",
-                                           one != BodyKind::solid ? body.text : name,
-                                           (one != BodyKind::solid ? one : other) == BodyKind::fluid
-                                               ? "a fluid"
-                                               : "an observer"));
+        if (seen.as == model::SeenAs::bonded) wantSolids("only solids are bonded to each other");
     }
     /// Methods act on what topology lets a body see.
     void checkSight(const Component& method) {

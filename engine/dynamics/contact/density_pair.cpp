@@ -3,16 +3,17 @@
 #include "dynamics/contact/density_pair.h"
 
 #include "core/parallel.h"
+#include "neighbors/common_kernel.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace sphinx::dynamics::contact {
 
 template <int Dim>
 DensityPair<Dim>::DensityPair(const Domain<Dim>& domain, Surface<Dim>& a, Surface<Dim>& b,
                               const PairLaw& law)
-    : Pair<Dim>(domain, a, b, law, kernelOf(a.body(), b.body()).cutoff()),
-      kernel_(&kernelOf(a.body(), b.body())),
+    : Pair<Dim>(domain, a, b, law, sphinx::neighbors::commonKernel(a.body(), b.body()).cutoff()),
+      kernel_(&sphinx::neighbors::commonKernel(a.body(), b.body())),
       modulus_(law.stiffness * std::max(a.body().spacing, b.body().spacing)) {
     sides_.push_back({&a, &b, &this->search_.ofA(), {}});
     if (&a != &b) sides_.push_back({&b, &a, &this->search_.ofB(), {}});

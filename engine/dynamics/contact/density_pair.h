@@ -21,11 +21,6 @@ class DensityPair final : public Pair<Dim> {
 
     void act(double dt) override;
 
-    /// The kernel of both: that of the larger reach.
-    static const Kernel<Dim>& kernelOf(const Body<Dim>& a, const Body<Dim>& b) {
-        return a.kernel.cutoff() >= b.kernel.cutoff() ? a.kernel : b.kernel;
-    }
-
  private:
     struct Side {
         Surface<Dim>* from;

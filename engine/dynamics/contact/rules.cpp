@@ -21,12 +21,6 @@ const Sight* contactOf(const WrittenCase& written, std::string_view a, std::stri
     return found == written.topology.end() ? nullptr : &*found;
 }
 
-bool isElastic(const WrittenCase& written, std::string_view body) {
-    const auto material = written.materials.find(body);
-    return material != written.materials.end() &&
-           material->second->declaration->hasTrait("elastic");
-}
-
 /// Whether a contact.force of the loop has that pair; `but` is left out.
 bool isComputed(const WrittenCase& written, std::string_view a, std::string_view b,
                 const input::Component* but = nullptr) {
@@ -104,7 +98,7 @@ void checkPairs(const input::Component& method, WrittenCase& written) {
             fmt::format("{0} touches nothing: the topology of {0} has no {{contact: NAME}}", body));
     for (const input::Name& other : p.with) {
         const Sight* sight = contactOf(written, body, other.text);
-        const bool elastic = isElastic(written, body) || isElastic(written, other.text);
+        const bool elastic = written.isElastic(body) || written.isElastic(other.text);
         if (!sight)
             out.error(other.place, fmt::format("the topology of {} lacks {{contact: {}}}", body,
                                                other.text == body ? "self" : other.text));
@@ -132,7 +126,7 @@ void checkPairs(const input::Component& method, WrittenCase& written) {
             out.error(method.place, fmt::format("two methods compute the contact of {} and {}",
                                                 body, other.text));
     }
-    if (!isElastic(written, body) || p.modulus)
+    if (!written.isElastic(body) || p.modulus)
         if (written.responds(body)) warnUnbounded(method, written, "contact.time_step");
 }
 

@@ -19,11 +19,8 @@ constexpr int many_steps = 100;
 
 template <int Dim>
 Box<Dim> boxAround(const Surface<Dim>& surface) {
-    Box<Dim> box{surface.place(0), surface.place(0)};
-    for (std::size_t n = 1; n < surface.size(); ++n) {
-        box.lower = box.lower.cwiseMin(surface.place(n));
-        box.upper = box.upper.cwiseMax(surface.place(n));
-    }
+    Box<Dim> box;
+    for (std::size_t n = 0; n < surface.size(); ++n) box.include(surface.place(n));
     return box;
 }
 

@@ -93,7 +93,7 @@ void Surface<Dim>::update(double dt) {
     if (arrangement_.hasChanged(body_->particles)) find();
     // What stands still is looked at once.
     if (body_version_ == body_->version && (dt_ == dt || !body_->responds())) return;
-    if (!gradient_ && body_version_ != body_->version) findSpin();
+    if (body_version_ != body_->version) spin_known_ = false;
     body_version_ = body_->version;
     dt_ = dt;
     ++version_;
@@ -101,6 +101,7 @@ void Surface<Dim>::update(double dt) {
 
 template <int Dim>
 void Surface<Dim>::findSpin() {
+    spin_known_ = true;
     spin_.setZero();
     const bool moves =
         std::ranges::any_of(particles_, [&](Index i) { return velocity_[i] != Vec<Dim>::Zero(); });
@@ -126,6 +127,8 @@ void Surface<Dim>::findSpin() {
 
 template <int Dim>
 void Surface<Dim>::take(const std::vector<Index>& points) {
+    if (points.empty()) return;
+    if (!gradient_ && !spin_known_) findSpin();
     parallelFor(points.size(), [&](std::size_t m) {
         const Index n = points[m];
         const std::size_t i = particles_[n];

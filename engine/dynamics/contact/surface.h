@@ -101,6 +101,7 @@ class Surface {
     AlignedVector<Point> points_;
     AlignedVector<Mat<Dim>> inverse_gradients_;
     Mat<Dim> spin_ = Mat<Dim>::Zero();  // of a rigid body: v = v0 + spin (r - r0)
+    bool spin_known_ = false;           // of body_version_; found where something is near
     std::vector<Vec<Dim>> turns_;
     std::vector<Index> turned_;
     ContactStress<Dim> stress_;
