@@ -36,7 +36,7 @@ const std::vector<const FieldInfo*>& all() {
         &slip,
         &contact_force,
         &contact_pressure,
-        &contact_turn,
+        &contact_couple,
         &displacement,
         &green_lagrange_strain,
         &piola_kirchhoff_stress,

@@ -82,10 +82,10 @@ inline constexpr FieldInfo contact_pressure{
     "contact_pressure", Rank::scalar, unit::pressure,
     "of it the part along the normal, by the undeformed area that the particle stands for",
     initial_value::zero};
-inline constexpr FieldInfo contact_turn{
-    "contact_turn", Rank::vector, unit::energy,
-    "by which contact turns a rigid particle: slope of its energy by the normal",
-    initial_value::zero};
+inline constexpr FieldInfo contact_couple{"contact_couple", Rank::matrix, unit::energy,
+                                          "force of other surfaces times the arm from the "
+                                          "particle, of which the skew part turns a rigid one",
+                                          initial_value::zero};
 inline constexpr FieldInfo average_velocity{
     "average_velocity", Rank::vector, unit::velocity,
     "velocity of a solid particle, averaged over the fluid's acoustic step",

@@ -15,18 +15,21 @@
 namespace sphinx::dynamics::contact {
 namespace {
 
-/// A modulus E over a layer dp: of each body that gives way, half a spacing of material between its
-/// outermost row and its surface, which no particles strain. So kappa = 1/sum(dp/(2 E)).
+/// A modulus M over a layer dp: of each body that gives way, half a spacing of material between its
+/// outermost row and its surface, which no particles strain. So kappa = 1/sum(dp/(2 M)).
 template <int Dim>
-double stiffnessOf(const ForceParameters& p, const Body<Dim>& a, const Body<Dim>& b) {
+PairLaw layerOf(const ForceParameters& p, const Body<Dim>& a, const Body<Dim>& b) {
     double compliance = 0;
+    PairLaw law;
     for (const Body<Dim>* body : {&a, &b}) {
+        if (body->isElastic()) law.thickness += 0.5 * body->spacing;
         if (p.modulus)
             compliance += 0.5 * body->spacing / *p.modulus;
         else if (body->isElastic())
             compliance += 0.5 * body->spacing / body->elastic().material->longitudinalModulus();
     }
-    return 1 / compliance;
+    law.stiffness = 1 / compliance;
+    return law;
 }
 
 /// rho0 c0^2 of the guide; that of the softer body.
@@ -75,15 +78,17 @@ Force<Dim>::Force(Context<Dim>& context, const ForceParameters& p) {
     const auto surface = [&](const input::Name& name) {
         Body<Dim>& body = bodyOf(context, name);
         const double depth = by_density ? body.kernel.cutoff() : body.spacing;
-        surfaces_.push_back(
-            std::make_unique<Surface<Dim>>(domain, body, loadsOf(context, body), depth));
+        surfaces_.push_back(std::make_unique<Surface<Dim>>(domain, body, loadsOf(context, body),
+                                                           depth, !by_density));
         return surfaces_.back().get();
     };
     Surface<Dim>* own = surface(p.body);
     for (const input::Name& name : p.with) {
         Surface<Dim>* other = name.text == p.body.text ? own : surface(name);
-        PairLaw law{stiffnessOf(p, own->body(), other->body()), p.friction.coulomb.value_or(0),
-                    p.friction.viscous.value_or(0), p.restitution};
+        PairLaw law = layerOf(p, own->body(), other->body());
+        law.coulomb = p.friction.coulomb.value_or(0);
+        law.viscous = p.friction.viscous.value_or(0);
+        law.restitution = p.restitution;
         if (by_density) {
             law.stiffness = bulkModulusOf(p, own->body(), other->body()) /
                             std::max(own->body().spacing, other->body().spacing);
@@ -195,8 +200,8 @@ void declareForce(input::Registry& registry) {
         .reads("with.elastic", {"deformation_gradient", "deformation_rate"})
         .tells("body", {"contact_force", "contact_pressure"})
         .tells("with", {"contact_force", "contact_pressure"})
-        .tells("body.carried", {"contact_turn"})
-        .tells("with.carried", {"contact_turn"});
+        .tells("body.carried", {"contact_couple"})
+        .tells("with.carried", {"contact_couple"});
 }
 
 }  // namespace sphinx::dynamics::contact

@@ -19,7 +19,8 @@ class Loads {
         : body_(&body),
           force(body.particles.vector(fields::contact_force)),
           pressure(body.particles.scalar(fields::contact_pressure)) {
-        if (body.isWall() && body.responds()) turn = &body.particles.vector(fields::contact_turn);
+        if (body.isWall() && body.responds())
+            couple = &body.particles.matrix(fields::contact_couple);
     }
 
     const Body<Dim>& body() const { return *body_; }
@@ -46,13 +47,13 @@ class Loads {
  public:
     Field<Vec<Dim>>& force;
     Field<double>& pressure;
-    Field<Vec<Dim>>* turn = nullptr;  ///< of a rigid body that a mechanism carries
+    Field<Mat<Dim>>* couple = nullptr;  ///< of a rigid body that a mechanism carries
 
  private:
     void zero(std::size_t i) {
         force[i].setZero();
         pressure[i] = 0;
-        if (turn) (*turn)[i].setZero();
+        if (couple) (*couple)[i].setZero();
     }
 
     std::vector<Index> touched_;

@@ -14,8 +14,9 @@ double Pair<Dim>::nearArea(const Body<Dim>& body) const {
             const Index n = lists.active()[m];
             const Vec<Dim> place = from.place(n);
             for (const Index k : lists.of(n))
-                if (domain_->difference(place, to.place(k)).squaredNorm() < reach_ * reach_)
-                    return from[n].area;
+                if (domain_->difference(place, to.place(k)).norm() <
+                    reach_ + from.length(n) + to.length(k))
+                    return from.area(n);
             return 0.0;
         });
     };

@@ -9,7 +9,8 @@ namespace sphinx::dynamics::contact {
 
 /// What two surfaces do to each other where they meet.
 struct PairLaw {
-    double stiffness = 0;    ///< pressure per depth of penetration
+    double stiffness = 0;    ///< pressure per depth of penetration, of little of it
+    double thickness = 0;    ///< of the layer that gives way; 0: infinite
     double coulomb = 0;      ///< coefficient of dry friction
     double viscous = 0;      ///< viscosity of the layer between both
     double restitution = 1;  ///< between rigid bodies: speed after over speed before
@@ -38,6 +39,9 @@ class Pair {
     virtual void transfer(Archive&) {}
 
     const PairLaw& law() const { return law_; }
+    /// By how much stiffer than that the surfaces were for their particles in the last step; 0
+    /// where nothing touched.
+    double stiffening() const { return stiffening_; }
     bool involves(const Body<Dim>& body) const {
         return &a_->body() == &body || &b_->body() == &body;
     }
@@ -51,6 +55,7 @@ class Pair {
     PairLaw law_;
     double reach_;
     Search<Dim> search_;
+    double stiffening_ = 0;
 
  private:
     Surface<Dim>* a_;

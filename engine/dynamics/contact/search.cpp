@@ -14,8 +14,17 @@ namespace {
 /// Margin of lists with something in them, of the reach: the less the longer they have held.
 constexpr double least_margin = 0.05;
 constexpr double largest_margin = 0.25;
+/// Of one body, in spacings.
+constexpr double excluded_of_spacing = 2;
 constexpr int few_steps = 20;
 constexpr int many_steps = 100;
+
+template <int Dim>
+double longest(const Surface<Dim>& surface) {
+    double length = 0;
+    for (std::size_t n = 0; n < surface.size(); ++n) length = std::max(length, surface.length(n));
+    return length;
+}
 
 template <int Dim>
 Box<Dim> boxAround(const Surface<Dim>& surface) {
@@ -97,12 +106,13 @@ void Search<Dim>::build() {
     a_to_b_.assign(found);
     if (!self()) b_to_a_.assign(std::vector<std::vector<Index>>(to.size()));
     if (from.size() == 0 || to.size() == 0) return;
-    if (const double apart = self() ? 0 : between(); apart > reach_ + margin_) {
-        margin_ = apart - reach_;
+    const double reach = reach_ + longest(from) + longest(to);  // between particles
+    if (const double apart = self() ? 0 : between(); apart > reach + margin_) {
+        margin_ = apart - reach;
         return;
     }
     // Images of the points of `to` that lie in the box around `from`.
-    const double far = reach_ + margin_;
+    const double far = reach + margin_;
     const Box<Dim> box = boxAround(from);
     AlignedVector<Vec<Dim>> places;
     std::vector<Index> points;
@@ -120,6 +130,7 @@ void Search<Dim>::build() {
     sphinx::neighbors::CellGrid<Dim> grid;
     grid.build(places.data(), places.size(), far);
 
+    const double excluded = std::max(reach_, excluded_of_spacing * from.body().spacing);
     parallelFor(from.size(), [&](std::size_t n) {
         const Vec<Dim> x = from.place(n);
         std::vector<Index>& mine = found[n];
@@ -135,12 +146,13 @@ void Search<Dim>::build() {
             const std::size_t cell = grid.cellIndex(c);
             for (std::size_t s = grid.start(cell); s < grid.start(cell + 1); ++s) {
                 const Index place = grid.order()[s];
-                if ((places[place] - x).squaredNorm() >= far * far) continue;
                 const Index m = points[place];
+                const double near = reach_ + margin_ + from.length(n) + to.length(m);
+                if ((places[place] - x).squaredNorm() >= near * near) continue;
                 if (self() &&
                     (m == n ||
                      domain_->difference(from.initialPlace(n), to.initialPlace(m)).squaredNorm() <
-                         reach_ * reach_))
+                         excluded * excluded))
                     continue;
                 mine.push_back(m);
             }

@@ -15,7 +15,9 @@ namespace sphinx::dynamics::contact {
 template <int Dim>
 class Search {
  public:
-    /// Within one body, points nearer than the reach in the reference configuration are left out.
+    /// The reach is that of points, which may be at a distance from their particles. Within one
+    /// body, points whose particles are nearer than that and two spacings in the reference
+    /// configuration are left out.
     Search(const Domain<Dim>& domain, const Surface<Dim>& a, const Surface<Dim>& b, double reach);
 
     /// The neighbors of points of one surface.

@@ -15,12 +15,16 @@ namespace {
 
 /// In spacings. Points a spacing apart touch: of the other surface one and more to each side are in
 /// reach.
-constexpr double reach_of_spacing = 2;
+constexpr double reach_of_spacing = 1.5;
 /// Cosine of the angle up to which a normal opposes another. A mean has no small weights: a floor
 /// beside the side of a box would meet the plane of that side in full as soon as the box leans.
 constexpr double least_opposed = 0.5;
 /// In spacings: what is deeper under another surface is on the far side of a thin body.
-constexpr double deepest = 1.5;
+constexpr double deepest = reach_of_spacing;
+/// In spacings: beyond an edge the plane of its face bends away by the square of the way over this.
+constexpr double bend_radius = 0.25;
+/// Of dp^(Dim-1): what sees less of the other surface bears less.
+constexpr double least_weight = 0.1;
 
 /// The damping ratio of a spring and dashpot that pushes and does not pull, with which a mass
 /// leaves it with `e` of its speed (Schwager & Poeschel 2007, doi:10.1007/s10035-007-0065-z):
@@ -37,6 +41,24 @@ double dampingRatio(double restitution) {
         (restitutionOf(middle) > restitution ? lower : upper) = middle;
     }
     return 0.5 * (lower + upper);
+}
+
+/// A layer of a thickness d, compressed by g, has the logarithmic strain of its material, so no
+/// surfaces meet through it: with s = g/d, by kappa,
+///   energy d^2 (s + (1 - s) ln(1 - s)), pressure -d ln(1 - s), stiffness 1/(1 - s);
+/// beyond s = 0.9 the stiffness stays.
+struct Layer {
+    double energy, pressure, stiffness;
+};
+
+Layer compressed(double g, double thickness) {
+    if (thickness == 0) return {0.5 * g * g, g, 1};
+    constexpr double most = 0.9;
+    const double s = std::min(g / thickness, most), left = 1 - s, log = std::log1p(-s);
+    const double more = g - s * thickness;
+    const double pressure = -thickness * log;
+    return {thickness * thickness * (s + left * log) + more * (pressure + 0.5 * more / left),
+            pressure + more / left, 1 / left};
 }
 
 }  // namespace
@@ -59,10 +81,12 @@ template <int Dim>
         all.place[c] = point.place[c];
         all.normal[c] = point.normal[c];
     }
-    all.depth = point.depth;
-    all.area = point.area;
-    all.edge = point.edge;
-    all.tip = point.tip;
+    all.area = point.met_area;
+    all.ends = point.ends;
+    for (int c = 0; c < Dim; ++c) {
+        all.edge[c] = point.edge[c];
+        all.beyond[c] = point.beyond[c];
+    }
     return all;
 }
 
@@ -78,10 +102,18 @@ template <int Dim>
         all.place[c] = place[c];
         all.normal[c] = normal[c];
     }
-    all.depth = place[3];
-    all.area = normal[3];
-    all.edge = gatherStrided<stride>(surface.records() + 11, points);
-    all.tip = gatherStrided<stride>(surface.records() + 15, points);
+    all.area = place[3];
+    all.ends = normal[3];
+    if (maskBits(normal[3] > 0) == 0) {
+        all.edge = all.beyond = Vector::Zero();
+        return all;
+    }
+    gatherRecords<stride>(surface.records() + 12, points, place);
+    gatherRecords<stride>(surface.records() + 16, points, normal);
+    for (int c = 0; c < Dim; ++c) {
+        all.edge[c] = place[c];
+        all.beyond[c] = normal[c];
+    }
     return all;
 }
 
@@ -107,19 +139,19 @@ template <int Dim>
     const Wide squared = seen.apart.squaredNorm();
     const Wide near = 1 - squared / (this->reach_ * this->reach_);
     const Wide opposed = -i.normal.dot(j.normal) - least_opposed;
-    const Wide inverse = 1 / sqrt(max(squared, 1e-300));
-    for (int c = 0; c < Dim; ++c)
-        seen.normal[c] = select(j.edge > 0, seen.apart[c] * inverse, j.normal[c]);
-    const LaneMask sharp = (i.edge > 0) & !(j.edge > 0);
-    for (int c = 0; c < Dim; ++c) seen.turned[c] = select(sharp, i.tip * j.normal[c], 0);
-    seen.gap = seen.apart.dot(seen.normal) - j.depth +
-               select(sharp, i.tip * i.normal.dot(j.normal), -i.depth);
+    const Wide past = select(j.ends > 0, max(apart(i.place, j.edge).dot(j.beyond), 0), 0);
+    seen.bend = (2 / (bend_radius * spacing_)) * past;
+    seen.gap = seen.apart.dot(j.normal) + 0.5 * seen.bend * past;
+    seen.normal = j.normal + seen.bend * j.beyond;
     const LaneMask valid = (lane < static_cast<std::int64_t>(count)) & (near > 0) & (opposed > 0) &
                            (seen.gap > -deepest * spacing_);
-    const Wide bare = select(valid, j.area * near * near, 0);
-    seen.bare = bare * near;
+    const Wide up = 1 + seen.gap * (1 / (deepest * spacing_));
+    const Wide up3 = up * up * up;
+    const Wide bare = select(valid, j.area * near * near * up3, 0);
+    seen.rise = (4 / (deepest * spacing_)) * opposed * bare * near;
+    seen.bare = bare * near * up;
     seen.weight = opposed * seen.bare;
-    seen.slope = (-6 / (this->reach_ * this->reach_) * opposed * bare) * seen.apart;
+    seen.slope = (-6 / (this->reach_ * this->reach_) * opposed * bare * up) * seen.apart;
     return seen;
 }
 
@@ -161,7 +193,7 @@ void SurfacePair<Dim>::meet(Side& side) {
         const Vector zero = Vector::Zero();
         Wide weight = 0, gap = 0;
         Vector normal = zero, velocity = zero, slope = zero, slope_gap = zero, bare = zero,
-               bare_gap = zero, turned = zero;
+               bare_gap = zero, risen = zero, risen_gap = zero;
         const Index* near = side.near.data() + side.lists->first(n);
         const std::size_t count = side.near_count[n];
         for (std::size_t k = 0; k < count; k += lane_count) {
@@ -174,7 +206,8 @@ void SurfacePair<Dim>::meet(Side& side) {
             slope_gap += seen.gap * seen.slope;
             bare -= seen.bare * j.normal;
             bare_gap -= seen.gap * seen.bare * j.normal;
-            turned += seen.weight * seen.turned;
+            risen += seen.rise * seen.normal;
+            risen_gap += seen.rise * seen.gap * seen.normal;
             Lanes moves[4];
             constexpr int stride = sizeof(typename Surface<Dim>::Point) / sizeof(double);
             gatherRecords<stride>(side.to->records() + 8, near + k, moves);
@@ -193,9 +226,13 @@ void SurfacePair<Dim>::meet(Side& side) {
             touch.gap = share.gap;
         }
         if (touch.gap < 0) {
-            touch.normal = (sum(normal) + sum(slope_gap) - share.gap * sum(slope)) / touch.weight;
-            touch.turn = (sum(bare_gap) - share.gap * sum(bare) + sum(turned)) / touch.weight;
-            const Eigen::Map<const Vec<Dim>> own(from[n].slip);
+            touch.normal = (sum(normal) + sum(slope_gap) + sum(risen_gap) -
+                            share.gap * (sum(slope) + sum(risen))) /
+                           touch.weight;
+            touch.turn = (sum(bare_gap) - share.gap * sum(bare)) / touch.weight;
+            touch.by_place = sum(slope) + sum(risen);
+            touch.by_normal = sum(bare);
+            const Eigen::Map<const Vec<Dim>> own(from[n].velocity);
             touch.velocity = own - sum(velocity) / touch.weight;
         } else {
             touch = {};
@@ -214,7 +251,7 @@ double SurfacePair<Dim>::dampingTime() const {
         const std::vector<Index>& active = side.lists->active();
         touching += sumAll(active.size(), [&](std::size_t m) {
             const Index n = active[m];
-            return side.touches[n].weight > 0 ? 0.5 * (*side.from)[n].area : 0.0;
+            return side.touches[n].weight > 0 ? 0.5 * side.from->area(n) : 0.0;
         });
     }
     if (touching == 0) return 0;
@@ -235,16 +272,22 @@ void SurfacePair<Dim>::push(Side& side, double damping_time, double dt) {
     parallelFor(active.size(), [&](std::size_t m) {
         const Index n = active[m];
         const Touch& touch = side.touches[n];
-        if (touch.weight == 0) return;
-        const double area = from[n].area;
+        if (touch.weight == 0 || from.area(n) == 0) return;
+        const double area = from.area(n);
         const double closing = -touch.velocity.dot(touch.normal);
-        const double force = stiffness * area * std::max(0.0, damping_time * closing - touch.gap);
+        const double whole = least_weight * std::pow(from.body().spacing, Dim - 1);
+        const double part = std::min(1.0, touch.weight / whole);
+        const double seen = part * part * (3 - 2 * part);
+        const Layer layer = compressed(-touch.gap, this->law_.thickness);
+        const double force =
+            seen * stiffness * area * std::max(0.0, damping_time * closing + layer.pressure);
         side.shares[n].normal = force / touch.weight;
+        side.shares[n].fade = -6 * part * (1 - part) / whole * stiffness * area * layer.energy;
         const double length = touch.normal.norm();
         const Vec<Dim> normal = touch.normal / length;
         const auto along = [&](const Vec<Dim>& v) { return Vec<Dim>(v - v.dot(normal) * normal); };
         const Vec<Dim> slip = along(touch.velocity);
-        Vec<Dim> friction = -viscosity * area * slip;
+        Vec<Dim> friction = -seen * viscosity * area * slip;
         if (this->law_.coulomb > 0) {
             Vec<Dim>& stretch = side.stretch[n];
             stretch = along(stretch) + dt * slip;
@@ -262,49 +305,50 @@ void SurfacePair<Dim>::collect(Side& side, const Side& back) {
     Surface<Dim>& from = *side.from;
     const Surface<Dim>& to = *side.to;
     const std::vector<Index>& active = side.lists->active();
-    Loads<Dim>& loads = from.loads();
-    for (const Index n : active) loads.touch(from.particle(n));
-    from.willTurn(active);
+    from.willPush(active);
     parallelFor(active.size(), [&](std::size_t m) {
         const Index n = active[m];
         const Points i = one(from, n);
         const Touch& touch = side.touches[n];
         const Share& own = side.shares[n];
-        Vector pushed = Vector::Zero(), turned = Vector::Zero(), rubbed = Vector::Zero();
+        const Vector zero = Vector::Zero();
+        Vector pushed = zero, turned = zero, rubbed = zero, pushed_edge = zero, turned_edge = zero;
         const Index* near = side.near.data() + side.lists->first(n);
         const std::size_t count = side.near_count[n];
         constexpr int stride = sizeof(Share) / sizeof(double);
         for (std::size_t k = 0; k < count; k += lane_count) {
             Lanes share[4], friction[4];
             gatherRecords<stride>(&back.shares.data()->normal, near + k, share);
-            if (maskBits(share[0] != 0) == 0) continue;
+            if (maskBits((share[0] != 0) | (share[2] != 0)) == 0) continue;
             gatherRecords<stride>(back.shares.data()->friction, near + k, friction);
             const Points j = eight(to, near + k);
             const View seen = view(j, i, count - k);
-            const Wide force = share[0], beyond = seen.gap - Wide(share[1]);
-            pushed += force * (seen.weight * seen.normal + beyond * seen.slope);
+            const Wide force = share[0], beyond = seen.gap - Wide(share[1]), fade = share[2];
+            const Wide whole = seen.weight + beyond * seen.rise;
+            const Wide plane = force * whole + fade * seen.rise;
+            pushed += plane * i.normal + (force * beyond + fade) * seen.slope;
+            turned += plane * seen.apart - ((force * beyond + fade) * seen.bare) * j.normal;
+            pushed_edge += (plane * seen.bend) * i.beyond;
+            turned_edge += (plane * seen.bend) * apart(j.place, i.edge);
             for (int c = 0; c < Dim; ++c) rubbed[c] += seen.weight * Wide(friction[c]);
-            const Wide flat = select(i.edge > 0, 0, seen.weight);
-            const Wide tip = select(j.edge > 0, j.tip, 0);
-            turned +=
-                force * (flat * (seen.apart + tip * j.normal) - (beyond * seen.bare) * j.normal);
         }
         Vec<Dim> force, turn;
         for (int c = 0; c < Dim; ++c) {
             const double felt = touch.weight * own.friction[c];
             const double back = -sumLanes(rubbed[c].at);
-            force[c] =
-                touch.weight * own.normal * touch.normal[c] - sumLanes(pushed[c].at) + felt + back;
+            force[c] = touch.weight * own.normal * touch.normal[c] + own.fade * touch.by_place[c] -
+                       sumLanes(pushed[c].at) + felt + back;
             // dE = -f dg, and the work of friction, f (dr + arm dn)
-            turn[c] = -touch.weight * own.normal * touch.turn[c] - sumLanes(turned[c].at) -
-                      from.slipArm(n) * felt - from.backArm(n) * back;
+            turn[c] = -touch.weight * own.normal * touch.turn[c] - own.fade * touch.by_normal[c] -
+                      sumLanes(turned[c].at);
         }
-        if (force.isZero(0)) return;
-        from.turn(n, turn);
-        const Index particle = from.particle(n);
-        loads.force[particle] += force;
-        const Eigen::Map<const Vec<Dim>> normal(from[n].normal);
-        loads.pressure[particle] -= force.dot(normal) / from[n].area;
+        from.push(n, force, turn);
+        if (from[n].ends == 0) return;
+        for (int c = 0; c < Dim; ++c) {
+            force[c] = -sumLanes(pushed_edge[c].at);
+            turn[c] = -sumLanes(turned_edge[c].at);
+        }
+        from.pushEdge(n, force, turn);
     });
 }
 
@@ -327,12 +371,23 @@ void SurfacePair<Dim>::act(double dt) {
     }
     const double damping_time = dampingTime();
     for (Side& side : sides_) push(side, damping_time, dt);
+    this->stiffening_ = 0;
+    for (const Side& side : sides_) {
+        const std::vector<Index>& active = side.lists->active();
+        this->stiffening_ = maxAll(active.size(), this->stiffening_, [&](std::size_t m) {
+            const Touch& touch = side.touches[active[m]];
+            if (touch.weight == 0) return 0.0;
+            return compressed(-touch.gap, this->law_.thickness).stiffness *
+                   side.from->leverage(active[m]);
+        });
+    }
     for (std::size_t s = 0; s < sides_.size(); ++s)
         collect(sides_[s], sides_[sides_.size() - 1 - s]);
 }
 
 template <int Dim>
 void SurfacePair<Dim>::transfer(Archive& archive) {
+    archive.value("stiffening", this->stiffening_);
     constexpr std::array names{"stretch", "stretch_back"};
     for (std::size_t s = 0; s < sides_.size(); ++s) {
         Side& side = sides_[s];

@@ -45,12 +45,15 @@ class SurfacePair final : public Pair<Dim> {
         Vec<Dim> normal = Vec<Dim>::Zero();    // slope of the gap; not quite of length 1
         Vec<Dim> velocity = Vec<Dim>::Zero();  // relative to the other surface
         Vec<Dim> turn = Vec<Dim>::Zero();      // slope of the gap, by the normal of i
+        Vec<Dim> by_place = Vec<Dim>::Zero();  // slopes of the weight
+        Vec<Dim> by_normal = Vec<Dim>::Zero();
     };
     /// What the points of the other surface that it meets have to know of it.
     struct alignas(32) Share {
         double normal = 0;  // force over weight; 0: it meets nothing
         double gap = 0;     // mean of View::gap
-        double unused[2] = {};
+        double fade = 0;    // derivative of the energy by the weight, turned round
+        double unused = 0;
         double friction[3] = {};
         double more_unused = 0;
     };
@@ -68,15 +71,17 @@ class SurfacePair final : public Pair<Dim> {
     /// Eight points, or one of them for all.
     struct Points {
         Vector place, normal;
-        Wide depth, area, edge, tip;
+        Wide area, ends;
+        Vector edge, beyond;
     };
     /// How points i see points j of the other surface.
     struct View {
         Wide weight;    // 0: out of reach, or their normals do not oppose
         Vector slope;   // of the weight, by the place of i
-        Wide gap;       // between i and the plane or the ball of j
-        Vector normal;  // slope of that
-        Vector turned;  // and by the normal of i, at an edge
+        Wide rise;      // and by the gap
+        Wide gap;       // between i and the plane of j, which bends away beyond an edge
+        Wide bend;      // slope of the gap, by the way beyond
+        Vector normal;  // and by the place of i
         Vector apart;   // from j to i
         Wide bare;      // of the weight what does not depend on normals
     };

@@ -43,7 +43,7 @@ void MovedPart<Dim>::prepare() {
     if (made(fields::pressure_force)) pressure_force_ = &particles.vector(fields::pressure_force);
     if (made(fields::viscous_force)) viscous_force_ = &particles.vector(fields::viscous_force);
     if (made(fields::contact_force)) contact_force_ = &particles.vector(fields::contact_force);
-    if (made(fields::contact_turn)) contact_turn_ = &particles.vector(fields::contact_turn);
+    if (made(fields::contact_couple)) contact_couple_ = &particles.matrix(fields::contact_couple);
     if (made(fields::radiation_impedance)) {
         impedance_ = &particles.matrix(fields::radiation_impedance);
         seen_ = &particles.vector(fields::average_velocity);
@@ -113,9 +113,12 @@ void MovedPart<Dim>::addLoad(const RigidBody& body, const BodyMotion& motion, Bo
             std::array{inSpace<Dim>(pressure), inSpace<Dim>(viscous), inSpace<Dim>(material),
                        inSpace<Dim>(contact), Vector(Z * u)},
             forces.begin(), [&](const Vector& f) -> Screw { return A.transpose() * f; });
-        if (contact_turn_)
-            forces[3].template tail<3>() -=
-                inSpace<Dim>((*normal_)[i]).cross(inSpace<Dim>((*contact_turn_)[i]));
+        if (contact_couple_) {
+            Eigen::Matrix3d C = Eigen::Matrix3d::Zero();
+            C.template topLeftCorner<Dim, Dim>() = (*contact_couple_)[i];
+            forces[3].template tail<3>() +=
+                Vector(C(2, 1) - C(1, 2), C(0, 2) - C(2, 0), C(1, 0) - C(0, 1));
+        }
         for (const Screw& force : forces)
             for (int c = 0; c < 6; ++c) terms[k++] = force[c];
         for (int row = 0; row < 6; ++row)

@@ -55,7 +55,7 @@ class MovedPart {
     const Field<Vec<Dim>>* pressure_force_ = nullptr;
     const Field<Vec<Dim>>* viscous_force_ = nullptr;
     const Field<Vec<Dim>>* contact_force_ = nullptr;
-    const Field<Vec<Dim>>* contact_turn_ = nullptr;
+    const Field<Mat<Dim>>* contact_couple_ = nullptr;
     const Field<Mat<Dim>>* impedance_ = nullptr;
     const Field<Vec<Dim>>* seen_ = nullptr;
     Field<Vec<Dim>>* slip_ = nullptr;

@@ -228,7 +228,7 @@ void declareStep(input::Registry& registry) {
         .mayRead("parts", {"pressure_force", "viscous_force", "contact_force",
                            "radiation_impedance", "average_velocity", "slip"})
         .mayRead("parts.elastic", {"acceleration", "velocity"})
-        .mayRead("parts.rigid", {"initial_normal", "normal", "contact_turn"})
+        .mayRead("parts.rigid", {"initial_normal", "normal", "contact_couple"})
         .writes("parts", {"position", "velocity"})
         .writes("parts.rigid", {"acceleration"})
         .mayWrite("parts", {"slip"})
