@@ -10,20 +10,21 @@
 namespace sphinx::dynamics::contact {
 
 /// A point i of one surface has from the other, of which the points j are in reach, the gap
-///   g_i = sum_j w_ij (r_ij . n_j - d_j - d_i) / sum_j w_ij,
-///   w_ij = A_j (-n_i . n_j - 1/2) W(r_ij),
-/// over those j whose normals oppose its own to 60 degrees: the distance to the planes above the
-/// points j less the depth at which i lies below its own surface. For plane surfaces it is exact,
-/// wherever their particles lie. An edge j is a ball in place of a plane, an edge i that meets a
-/// plane has its tip at r_i + L n_i in place of a depth. Both surfaces have the energy
-///   E = sum_i kappa/4 A_i g_i^2   over the points of both with g_i < 0,
-/// and what acts on a particle is its derivative by the place: that by the gap, pushed back where
-/// the weights are, w_ij/sum_j w_ij n_j, and that by the weights. The normals turn with F, or with
-/// a rigid body: the derivative by them is a stress (ContactStress), or a moment. So without
-/// friction momentum, angular momentum and energy are kept; README.md has what happens without.
+///   g_i = sum_j w_ij g_ij / sum_j w_ij, g_ij = r_ij . n_j + s^2/b beyond an edge, s the way
+///   beyond, w_ij = A_j (-n_i . n_j - 1/2) (1 - r_ij^2/R^2)^3 (1 + g_ij/R)^4,
+/// over those j whose normals oppose its own to 60 degrees: the distance to the planes of the faces
+/// j. For plane surfaces it is exact, wherever their particles lie; of several planes that which a
+/// point is the least below has most weight, as of a convex body. Both surfaces have the energy
+///   E = sum_i s_i kappa/2 A_i U(-g_i)   over the points of both with g_i < 0
+/// where U(g) is that of a layer of thickness d, g^2/2 at first (surface_pair.cpp), and s_i goes
+/// from 0 to 1 with the sum of the weights: what comes into reach does so by little. What acts is
+/// the derivative by the places of points: that by the gap, pushed back where the weights are, and
+/// that by the weights. Normals and places turn with F, or with a rigid body: the derivative by
+/// them is a stress (ContactStress), or a couple. So without friction momentum, angular momentum
+/// and energy are kept; README.md has what happens without.
 ///
-/// Friction acts along the surface and at it, from its velocity at i, v_i + d_i dn_i/dt, relative
-/// to the mean of those at the points j, and is pushed back as the weights are:
+/// Friction acts along the surface, from its velocity at i relative to the mean of those at the
+/// points j, and is pushed back as the weights are:
 ///   - Coulomb: a spring of the same stiffness along the surface, stretched by the way since they
 ///     touched, whose force is at most mu times the normal one: what sticks does not creep.
 ///   - viscous: a layer of that viscosity, a spacing thick.
