@@ -46,6 +46,7 @@ void Simulation<Dim>::prepare() {
     outputs_.emplace(tools, options_.outputs);
     outputs_->addTo(plan);
     runner_ = std::make_unique<loop::Runner>(std::move(plan));
+    runner_->watchWrites([this] { before_writes_(); });
     if (resuming()) restore();
     methods_->prepare();
     health_.emplace(*world_, *relations_, placed_.facts);
@@ -63,7 +64,7 @@ template <int Dim>
 void Simulation<Dim>::step() {
     runner_->step([this](const Clock& clock) {
         health_->check(clock);
-        before_outputs_();
+        before_writes_();
     });
     if (held_) held_->hold(clock());
 }
@@ -71,7 +72,6 @@ void Simulation<Dim>::step() {
 template <int Dim>
 std::optional<double> Simulation<Dim>::keepLastGoodState() {
     if (!held_) return {};
-    before_outputs_();
     runner_->syncOutputs();
     return held_->write();
 }
