@@ -14,6 +14,12 @@
 #include <utility>
 
 namespace sphinx::run {
+namespace {
+
+/// It asks the system, which takes as long as a step of a small body.
+constexpr double seconds_between_watches = 0.1;
+
+}  // namespace
 
 template <int Dim>
 Simulation<Dim>::Simulation(const model::Case& model, const RunOptions& options, io::Path folder,
@@ -64,7 +70,9 @@ template <int Dim>
 void Simulation<Dim>::step() {
     runner_->step([this](const Clock& clock) {
         health_->check(clock);
+        if (since_watched_.seconds() < seconds_between_watches) return;
         before_writes_();
+        since_watched_.restart();
     });
     if (held_) held_->hold(clock());
 }

@@ -101,8 +101,9 @@ void OutputSchedule::sync() {
 }
 
 bool OutputSchedule::restartDue(const std::vector<bool>& due) const {
+    const std::int64_t now = outermost_.clock().steps;
     for (std::size_t k = 0; k < entries_.size(); ++k)
-        if (due[k] && entries_[k].entry.restart) return true;
+        if (due[k] && entries_[k].entry.restart && entries_[k].last_step != now) return true;
     return false;
 }
 
