@@ -44,7 +44,8 @@ double memory(const bodies::World<Dim>& world) {
     for (const auto& body : world.bodies) {
         const auto n = static_cast<double>(body->size());
         sum += static_cast<double>(body->particles.bytes()) + 64 * n;
-        const std::size_t block =  // of eight; on a lattice the gradients of a reference list are few
+        const std::size_t
+            block =  // of eight; on a lattice the gradients of a reference list are few
             body->isElastic() ? 2 * sizeof(Index)
                               : sizeof(typename neighbors::NeighborList<Dim>::Block);
         for (const auto* other : body->sees)
