@@ -55,12 +55,6 @@ void ReferenceList<Dim>::append(std::vector<Neighbor>& neighbors, std::size_t pa
         ++group.blocks;
     }
     groups_.push_back(group);
-    std::array<Lane, Dim>& sum = sums_.emplace_back();
-    sum = {};
-    for (std::uint32_t b = 0; b < group.blocks; ++b)
-        for (std::size_t c = 0; c < Dim; ++c)
-            for (std::size_t lane = 0; lane < lane_count; ++lane)
-                sum[c][lane] += terms(group, b).gradient[c][lane];
 }
 
 template <int Dim>
@@ -94,7 +88,6 @@ template <int Dim>
 void ReferenceList<Dim>::finish() {
     known_ = {};
     groups_.shrink_to_fit();
-    sums_.shrink_to_fit();
     terms_.shrink_to_fit();
     blocks_.shrink_to_fit();
     indices_.shrink_to_fit();
@@ -102,8 +95,7 @@ void ReferenceList<Dim>::finish() {
 
 template <int Dim>
 std::size_t ReferenceList<Dim>::bytes() const {
-    return groups_.capacity() * sizeof(GroupBlocks) +
-           sums_.capacity() * sizeof(std::array<Lane, Dim>) + terms_.capacity() * sizeof(Terms) +
+    return groups_.capacity() * sizeof(GroupBlocks) + terms_.capacity() * sizeof(Terms) +
            blocks_.capacity() * sizeof(Index) + indices_.capacity() * sizeof(Index);
 }
 

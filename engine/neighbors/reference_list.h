@@ -54,8 +54,6 @@ class ReferenceList {
     const Terms& terms(const GroupBlocks& group, std::uint32_t b) const {
         return terms_[blocks_[group.first_block + b]];
     }
-    /// Of the gradients of each particle of the group; 0 inside of a body.
-    const std::array<Lane, Dim>& gradientSum(std::size_t number) const { return sums_[number]; }
     /// Of a run the neighbor of the first particle, of every other block the neighbors of all.
     const Index* indices(const GroupBlocks& group) const {
         return indices_.data() + group.first_index;
@@ -88,9 +86,8 @@ class ReferenceList {
     static void put(const Neighbor& neighbor, Terms& terms);
 
     AlignedVector<GroupBlocks> groups_;
-    AlignedVector<std::array<Lane, Dim>> sums_;  // of gradients
-    AlignedVector<Terms> terms_;                 // that differ
-    AlignedVector<Index> blocks_;                // which of them each block has
+    AlignedVector<Terms> terms_;   // that differ
+    AlignedVector<Index> blocks_;  // which of them each block has
     AlignedVector<Index> indices_;
     std::unordered_map<Terms, Index, Hash> known_;  // where they are, until the list is finished
 };

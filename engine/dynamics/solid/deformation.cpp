@@ -212,16 +212,15 @@ void Deformation<Dim>::secondHalf(double dt) {
 template <int Dim>
 VecOf<Dim, Wide> Deformation<Dim>::stressDivergence(const Group& group) const {
     VecOf<Dim, Wide> sum = VecOf<Dim, Wide>::Zero();
-    VecOf<Dim, Wide> gradients = VecOf<Dim, Wide>::Zero();
+    const MatOf<Dim, Wide> T = load(stress_, group);
     const VecOf<Dim, Wide> r = load(position_, group);
     for (const Neighbors& n : neighbors_) {
         const auto& list = n.relation->list;
-        gradients += gradientSum<Dim>(list, group);
         const double control =
             body_->elastic().hourglass_modulus + n.relation->to->elastic().hourglass_modulus;
         const auto of = [&](const auto& neighbors) { return load(*n.stress, neighbors); };
         if (n.stress != &stress_) {
-            sum += forceSum<Dim>(list, group, of, control, r, *n.position);
+            sum += forceSum<Dim>(list, group, T, of, control, r, *n.position);
             continue;
         }
         const auto of_own = [&](const auto& neighbors) {
@@ -230,9 +229,9 @@ VecOf<Dim, Wide> Deformation<Dim>::stressDivergence(const Group& group) const {
             else
                 return of(neighbors);
         };
-        sum += forceSum<Dim>(list, group, of_own, control, r, *n.position);
+        sum += forceSum<Dim>(list, group, T, of_own, control, r, *n.position);
     }
-    return sum + load(stress_, group) * gradients;
+    return sum;
 }
 
 template <int Dim>

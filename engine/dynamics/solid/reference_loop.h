@@ -84,35 +84,28 @@ inline MatOf<Dim, Wide> differenceSum(const ReferenceList<Dim>& list, const Grou
     return sum;
 }
 
-/// sum_j T_j g_ij over the neighbors, and where `control` is not 0 control sum_j k_ij (r_j - r_i),
-/// k the weights of the list. (Differences, so that rounding does not grow with the distance from
-/// the origin.) stress(neighbors): T_j of eight of them.
+/// sum_j (T_i + T_j) g_ij over the neighbors, and where `control` is not 0
+/// control sum_j k_ij (r_j - r_i), k the weights of the list. (Differences, so that rounding does
+/// not grow with the distance from the origin; sums of two, so that what i gets j loses.)
+/// stress(neighbors): T_j of eight of them.
 template <int Dim, class Stress>
 inline VecOf<Dim, Wide> forceSum(const ReferenceList<Dim>& list, const Group& group,
-                                 Stress&& stress, double control, const VecOf<Dim, Wide>& own_place,
+                                 const MatOf<Dim, Wide>& own_stress, Stress&& stress,
+                                 double control, const VecOf<Dim, Wide>& own_place,
                                  const Field<Vec<Dim>>& places) {
     VecOf<Dim, Wide> force = VecOf<Dim, Wide>::Zero();
     VecOf<Dim, Wide> pull = VecOf<Dim, Wide>::Zero();
     if (control == 0) {
         forEachBlock<Dim>(list, group, [&](const auto& neighbors, const PairsOfBlock<Dim>& pairs) {
-            force += stress(neighbors) * pairs.gradient();
+            force += (stress(neighbors) + own_stress) * pairs.gradient();
         });
         return force;
     }
     forEachBlock<Dim>(list, group, [&](const auto& neighbors, const PairsOfBlock<Dim>& pairs) {
-        force += stress(neighbors) * pairs.gradient();
+        force += (stress(neighbors) + own_stress) * pairs.gradient();
         pull += pairs.weight() * (load(places, neighbors) - own_place);
     });
     return force + control * pull;
-}
-
-/// sum_j g_ij over the neighbors.
-template <int Dim>
-inline VecOf<Dim, Wide> gradientSum(const ReferenceList<Dim>& list, const Group& group) {
-    const auto& sums = list.gradientSum(group.number());
-    VecOf<Dim, Wide> sum;
-    for (int c = 0; c < Dim; ++c) sum[c] = loadLanes(sums[static_cast<std::size_t>(c)].data());
-    return sum;
 }
 
 /// The values of a matrix field component by component: a run of neighbors is read without a
