@@ -5,6 +5,8 @@
 #include "core/archive.h"
 #include "core/clock.h"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,12 @@ struct OutputFile {
     double bytes = 0;  ///< that one write adds, before compression; 0: nothing that stays
 };
 
+/// Writes a state that was taken before.
+struct FileWork {
+    std::function<void()> write;  ///< empty: there is nothing to write
+    std::size_t bytes = 0;        ///< of memory that it holds, about
+};
+
 /// One entry of `outputs`. It reads particles and writes files; it never changes the physics and
 /// never a time step.
 class Output {
@@ -25,9 +33,16 @@ class Output {
 
     /// What it writes; no two outputs of a run may write the same.
     virtual std::vector<OutputFile> files() const { return {}; }
-    /// Writes the state at clock.time (clock.steps outermost steps are complete). Throws FileError.
-    virtual void write(const Clock& clock) = 0;
-    /// Before a restart that counts on what is written: the disk has it.
+    /// Takes what is to be written of the state at clock.time (clock.steps outermost steps are
+    /// complete). The particles may then change: the work, which throws FileError, is done once, by
+    /// another thread perhaps, after what was taken before it and before sync() and finish(). What
+    /// transfer() saves is known when this returns.
+    virtual FileWork take(const Clock& clock) = 0;
+    /// Both at once.
+    void write(const Clock& clock) {
+        if (const FileWork work = take(clock); work.write) work.write();
+    }
+    /// Before a restart that counts on what is written: the disk has it. By the thread that writes.
     virtual void sync() {}
     /// The layer after each of whose substeps sample() is called (time averages), with that layer's
     /// clock: its name, empty for the outermost, or nothing for an output that never samples. After
@@ -42,7 +57,7 @@ class Output {
     virtual void resume(const Clock&) {}
     /// Instead of it where the run goes on in another folder, in which it has written nothing yet.
     virtual void leave() {}
-    /// Called once after the last write.
+    /// Called once when all is written.
     virtual void finish() {}
 };
 

@@ -27,6 +27,8 @@ Pool& pool() {
     return instance;
 }
 
+thread_local bool works_alone = false;
+
 /// Where the system has no more of them that is told here, and not in the midst of a step.
 void startThreads() {
     const int threads = pool().threads;
@@ -56,7 +58,9 @@ void setThreadCount(int threads) {
     }
 }
 
-int threadCount() { return pool().threads; }
+int threadCount() { return works_alone ? 1 : pool().threads; }
+
+void workAlone() { works_alone = true; }
 
 namespace detail {
 

@@ -13,7 +13,10 @@ namespace sphinx {
 /// Sets the number of threads that loops use from now on; 0 means all of the machine. Throws
 /// std::system_error where the system gives no more threads.
 void setThreadCount(int threads);
+/// 1 on a thread that works alone.
 int threadCount();
+/// From now on loops of this thread have no other ones: those are at work for somebody else.
+void workAlone();
 
 namespace detail {
 using RangeFunction = void (*)(void* context, std::size_t begin, std::size_t end);

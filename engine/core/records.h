@@ -7,10 +7,11 @@
 namespace sphinx {
 
 // Records of `Size` doubles each, of eight particles that stand one after the other, transposed:
-// component c of particle k is p[Size * k + c] in memory and a[c][k] in lanes.
+// component c of particle k is p[Size * k + c] in memory and a[c][k] in lanes. (A call that is not
+// inlined writes all registers of the loop around it to memory.)
 
 template <int Size>
-inline void loadRecords(const double* p, Lanes a[Size]) {
+[[gnu::always_inline]] inline void loadRecords(const double* p, Lanes a[Size]) {
     if constexpr (Size == 1) {
         a[0] = loadLanes(p);
     } else if constexpr (Size == 2) {
@@ -39,7 +40,7 @@ inline void loadRecords(const double* p, Lanes a[Size]) {
 }
 
 template <int Size>
-inline void storeRecords(const Lanes a[Size], double* p) {
+[[gnu::always_inline]] inline void storeRecords(const Lanes a[Size], double* p) {
     if constexpr (Size == 1) {
         storeLanes(a[0], p);
     } else if constexpr (Size == 2) {

@@ -47,6 +47,7 @@ class Radiation {
     /// after the kick without it.
     VecOf<Dim, Wide> answer(const Group& group, const VecOf<Dim, Wide>& v) const {
         const MatOf<Dim, Wide> Z = load(*impedance_, group);
+        if (maskBits(Z.trace() > 0) == 0) return VecOf<Dim, Wide>::Zero();
         const MatOf<Dim, Wide> inertia =
             load(mass_, group) * MatOf<Dim, Wide>::Identity() + dt_ * Z;
         return inertia.inverse() * (Z * (load(*seen_, group) - v));
@@ -55,8 +56,9 @@ class Radiation {
     void addSlip() {
         if (!acts()) return;
         parallelForGroups(velocity_.size(), [&](const Group& group) {
-            const VecOf<Dim, Wide> passed = dt_ * (load(velocity_, group) - load(*seen_, group));
             const Wide answered = load(*impedance_, group).trace();
+            if (maskBits(answered > 0) == 0) return;
+            const VecOf<Dim, Wide> passed = dt_ * (load(velocity_, group) - load(*seen_, group));
             VecOf<Dim, Wide> slip = load(*slip_, group);
             for (int c = 0; c < Dim; ++c) slip[c] += select(answered > 0, passed[c], 0);
             store(slip, *slip_, group);
@@ -69,9 +71,23 @@ class Radiation {
     }
     /// Gives the velocity of a particle the values that are imposed on some of its components.
     /// Returns the force that does it, which has no others.
-    Vec<Dim> impose(std::size_t i, const std::array<bool, Dim>& imposed, const Vec<Dim>& value);
+    Vec<Dim> impose(std::size_t i, const std::array<bool, Dim>& imposed, const Vec<Dim>& value) {
+        if (acts(i)) return imposeAgainst(i, imposed, value);
+        Vec<Dim>& v = velocity_[i];
+        const double inertia = mass_[i] / dt_;
+        Vec<Dim> force;
+        for (int c = 0; c < Dim; ++c) {
+            const double now = imposed[static_cast<std::size_t>(c)] ? value[c] : v[c];
+            force[c] = inertia * (now - v[c]);
+            v[c] = now;
+        }
+        return force;
+    }
 
  private:
+    /// Where it acts.
+    Vec<Dim> imposeAgainst(std::size_t i, const std::array<bool, Dim>& imposed,
+                           const Vec<Dim>& value);
     bool acts(std::size_t i) const { return acts() && (*impedance_)[i].trace() > 0; }
     Mat<Dim> inertia(std::size_t i) const {
         return mass_[i] * Mat<Dim>::Identity() + dt_ * (*impedance_)[i];
@@ -88,8 +104,8 @@ class Radiation {
 };
 
 template <int Dim>
-Vec<Dim> Radiation<Dim>::impose(std::size_t i, const std::array<bool, Dim>& imposed,
-                                const Vec<Dim>& value) {
+Vec<Dim> Radiation<Dim>::imposeAgainst(std::size_t i, const std::array<bool, Dim>& imposed,
+                                       const Vec<Dim>& value) {
     Vec<Dim>& v = velocity_[i];
     Vec<Dim> change = Vec<Dim>::Zero();
     int count = 0;
@@ -99,7 +115,6 @@ Vec<Dim> Radiation<Dim>::impose(std::size_t i, const std::array<bool, Dim>& impo
             v[c] = value[c];
             ++count;
         }
-    if (!acts(i)) return mass_[i] / dt_ * change;
     const Mat<Dim> inertia = this->inertia(i);
     if (count == Dim) return inertia * change / dt_;
     // Rows of a free component say that it gets no force.

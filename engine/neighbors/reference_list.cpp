@@ -3,6 +3,7 @@
 #include "neighbors/reference_list.h"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 
 namespace sphinx::neighbors {
@@ -15,7 +16,7 @@ constexpr std::ptrdiff_t shortest_run = lane_count / 2;
 
 template <int Dim>
 void ReferenceList<Dim>::append(std::vector<Neighbor>& neighbors, std::size_t particles) {
-    GroupBlocks group{gradients_.size(), indices_.size(), 0, 0};
+    GroupBlocks group{blocks_.size(), indices_.size(), 0, 0};
     // Equal for the neighbors of a run: what the first particle has there.
     const auto start = [](const Neighbor& n) { return std::int64_t{n.index} - n.lane; };
     std::sort(neighbors.begin(), neighbors.end(), [&](const Neighbor& a, const Neighbor& b) {
@@ -28,9 +29,10 @@ void ReferenceList<Dim>::append(std::vector<Neighbor>& neighbors, std::size_t pa
         const auto end = std::find_if(first, neighbors.end(),
                                       [&](const Neighbor& n) { return start(n) != row; });
         if (end - first >= shortest_run && row >= 0 && row <= last_start) {
-            appendBlock();
+            Terms terms{};
+            std::for_each(first, end, [&](const Neighbor& n) { put(n, terms); });
+            appendBlock(terms);
             indices_.push_back(static_cast<Index>(row));
-            std::for_each(first, end, [&](const Neighbor& n) { put(n); });
             ++group.runs;
         } else {
             std::for_each(first, end, [&](const Neighbor& n) {
@@ -44,43 +46,57 @@ void ReferenceList<Dim>::append(std::vector<Neighbor>& neighbors, std::size_t pa
         const auto used = std::find_if(scattered.begin(), scattered.end(),
                                        [&](const auto& lane) { return b < lane.size(); });
         if (used == scattered.end()) break;
-        appendBlock();
+        Terms terms{};
         for (const auto& lane : scattered) {
             indices_.push_back((b < lane.size() ? lane : *used)[b]->index);
-            if (b < lane.size()) put(*lane[b]);
+            if (b < lane.size()) put(*lane[b], terms);
         }
+        appendBlock(terms);
         ++group.blocks;
     }
     groups_.push_back(group);
 }
 
 template <int Dim>
-void ReferenceList<Dim>::appendBlock() {
-    gradients_.push_back({});
-    weights_.push_back({});
+std::size_t ReferenceList<Dim>::Hash::operator()(const Terms& terms) const {
+    std::uint64_t sum = 0;
+    const auto add = [&](const Lane& values) {
+        for (const double value : values)
+            sum = std::rotl((sum ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15, 29);
+    };
+    for (const Lane& component : terms.gradient) add(component);
+    add(terms.weight);
+    return sum;
 }
 
 template <int Dim>
-void ReferenceList<Dim>::put(const Neighbor& neighbor) {
+void ReferenceList<Dim>::appendBlock(const Terms& terms) {
+    const auto [place, is_new] = known_.try_emplace(terms, static_cast<Index>(terms_.size()));
+    if (is_new) terms_.push_back(terms);
+    blocks_.push_back(place->second);
+}
+
+template <int Dim>
+void ReferenceList<Dim>::put(const Neighbor& neighbor, Terms& terms) {
     const auto lane = static_cast<std::size_t>(neighbor.lane);
     for (int c = 0; c < Dim; ++c)
-        gradients_.back()[static_cast<std::size_t>(c)][lane] = neighbor.gradient[c];
-    weights_.back()[lane] = neighbor.weight;
+        terms.gradient[static_cast<std::size_t>(c)][lane] = neighbor.gradient[c];
+    terms.weight[lane] = neighbor.weight;
 }
 
 template <int Dim>
 void ReferenceList<Dim>::finish() {
+    known_ = {};
     groups_.shrink_to_fit();
-    gradients_.shrink_to_fit();
-    weights_.shrink_to_fit();
+    terms_.shrink_to_fit();
+    blocks_.shrink_to_fit();
     indices_.shrink_to_fit();
 }
 
 template <int Dim>
 std::size_t ReferenceList<Dim>::bytes() const {
-    return groups_.capacity() * sizeof(GroupBlocks) +
-           gradients_.capacity() * sizeof(std::array<Lane, Dim>) +
-           weights_.capacity() * sizeof(Lane) + indices_.capacity() * sizeof(Index);
+    return groups_.capacity() * sizeof(GroupBlocks) + terms_.capacity() * sizeof(Terms) +
+           blocks_.capacity() * sizeof(Index) + indices_.capacity() * sizeof(Index);
 }
 
 template class ReferenceList<2>;

@@ -6,8 +6,24 @@
 #include "neighbors/list_builder.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sphinx::neighbors {
+namespace {
+
+/// Without what rounding has made of multiples of the spacing: equal neighborhoods then have equal
+/// bits.
+template <int Dim>
+Vec<Dim> onLattice(Vec<Dim> R, double spacing) {
+    constexpr double rounding = 1e-9;
+    for (double& component : R) {
+        const double multiple = std::rint(component / spacing) * spacing;
+        if (std::abs(component - multiple) < rounding * spacing) component = multiple;
+    }
+    return R;
+}
+
+}  // namespace
 
 template <int Dim>
 Relation<Dim>& Relations<Dim>::relation(Purpose purpose, const bodies::Body<Dim>& from,
@@ -89,6 +105,8 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
     const particles::Field<double>& volume = r.to->particles.scalar(fields::volume);
     const auto& from = r.from->particles.vector(fields::initial_position);
     const auto& to = r.to->particles.vector(fields::initial_position);
+    const kernels::Kernel<Dim>& kernel = commonKernel(*r.from, *r.to);
+    const double spacing = std::min(r.from->spacing, r.to->spacing);
     std::vector<typename ReferenceList<Dim>::Neighbor> neighbors;
     for (std::size_t i = 0; i < r.from->size(); ++i) {
         const int lane = static_cast<int>(i % lane_count);
@@ -96,12 +114,14 @@ void Relations<Dim>::build(ReferenceRelation<Dim>& r) {
             for (int k = 0; k < lane_count; ++k) {
                 const Index j = block.index[k];
                 Vec<Dim> g;
-                for (int c = 0; c < Dim; ++c) g[c] = block.gradient[c][k] * volume[j];
+                for (int c = 0; c < Dim; ++c) g[c] = block.gradient[c][k];
                 if (g.isZero(0)) continue;
-                const Vec<Dim> R = world_->domain.difference(from[i], to[j]);
+                const Vec<Dim> R = onLattice(world_->domain.difference(from[i], to[j]), spacing);
+                const double slope =
+                    kernel.gradientFactor() * kernel.derivative(R.norm()) / R.norm() * volume[j];
                 // Each side bears half of a bond's energy, as far as it is material.
                 const double share = 0.5 * (r.from->elastic().share(i) + r.to->elastic().share(j));
-                neighbors.push_back({lane, j, g, share * g.norm() / R.norm()});
+                neighbors.push_back({lane, j, slope * R, -share * slope});
             }
         }
         if (lane == lane_count - 1 || i + 1 == r.from->size()) {

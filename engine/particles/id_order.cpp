@@ -33,6 +33,13 @@ std::string_view IdOrder::bytes(const FieldBase& field, AlignedVector<char>& buf
     return {buffer.data(), buffer.size()};
 }
 
+AlignedVector<char> IdOrder::copy(const FieldBase& field) const {
+    AlignedVector<char> buffer;
+    const std::string_view values = bytes(field, buffer);
+    if (values.data() != buffer.data()) buffer.assign(values.begin(), values.end());
+    return buffer;
+}
+
 template IdOrder::IdOrder(const ParticleSet<2>&);
 template IdOrder::IdOrder(const ParticleSet<3>&);
 

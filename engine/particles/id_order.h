@@ -22,6 +22,8 @@ class IdOrder {
     /// The values of a field one after the other, 8 bytes each, in `buffer` where they do not stand
     /// so in memory.
     std::string_view bytes(const FieldBase& field, AlignedVector<char>& buffer) const;
+    /// The same in memory of their own.
+    AlignedVector<char> copy(const FieldBase& field) const;
 
  private:
     std::size_t size_;

@@ -18,9 +18,9 @@ class DerivedOutput final : public Output {
         : output_(std::move(output)), fields_(std::move(fields)) {}
 
     std::vector<OutputFile> files() const override { return output_->files(); }
-    void write(const Clock& clock) override {
+    FileWork take(const Clock& clock) override {
         fields_.refresh();
-        output_->write(clock);
+        return output_->take(clock);
     }
     std::optional<std::string> sampledLayer() const override { return output_->sampledLayer(); }
     void sample(const Clock& clock) override {

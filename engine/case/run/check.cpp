@@ -11,7 +11,6 @@
 #include "core/sum_all.h"
 #include "materials/elastic_solid.h"
 #include "neighbors/neighbor_list.h"
-#include "neighbors/reference_list.h"
 
 #include <fmt/format.h>
 #include <cmath>
@@ -45,9 +44,9 @@ double memory(const bodies::World<Dim>& world) {
     for (const auto& body : world.bodies) {
         const auto n = static_cast<double>(body->size());
         sum += static_cast<double>(body->particles.bytes()) + 64 * n;
-        const std::size_t block =  // of eight: gradient, weight, indices
-            body->isElastic() ? (Dim + 1) * sizeof(typename neighbors::ReferenceList<Dim>::Lane) +
-                                    lane_count * sizeof(Index)
+        const std::size_t
+            block =  // of eight; on a lattice the gradients of a reference list are few
+            body->isElastic() ? 2 * sizeof(Index)
                               : sizeof(typename neighbors::NeighborList<Dim>::Block);
         for (const auto* other : body->sees)
             if (other == body.get())

@@ -17,7 +17,9 @@ void writeFailedState(const bodies::World<Dim>& world, const Clock& clock,
                 entry.fields.emplace_back(field->info().name);
         frames.push_back(entry);
     }
-    io::VtuOutput<Dim>(parameters, frames).write(clock);
+    io::VtuOutput<Dim> output(parameters, frames);
+    output.write(clock);
+    output.sync();
 }
 
 template void writeFailedState(const bodies::World<2>&, const Clock&, const io::FrameParameters&);

@@ -7,6 +7,7 @@
 #include "core/log.h"
 #include "core/parallel.h"
 #include "core/sum_all.h"
+#include "dynamics/group.h"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -71,6 +72,25 @@ Extremes extremes(const bodies::Body<Dim>& body) {
         });
 }
 
+/// Of an elastic body whether velocities and densities are numbers is all there is to know.
+template <int Dim>
+bool isFinite(const bodies::Body<Dim>& body) {
+    const auto& velocity = body.particles.vector(fields::velocity);
+    const auto& density = body.particles.scalar(fields::density);
+    const std::size_t n = body.size();
+    return reduceAll(
+        dynamics::groupCount(n), true,
+        [&](std::size_t begin, std::size_t end) {
+            Wide sum = 0;  // not finite as soon as one term is not
+            for (std::size_t number = begin; number < end; ++number) {
+                const dynamics::Group group = dynamics::groupOf(number, n);
+                sum += load(velocity, group).squaredNorm() + abs(load(density, group));
+            }
+            return std::isfinite(sumLanes(sum.at));
+        },
+        [](bool a, bool b) { return a && b; }, dynamics::group_block);
+}
+
 /// The largest speed about the mean velocity: what moves as a whole compresses nothing.
 template <int Dim>
 double speedAboutMean(const bodies::Body<Dim>& body) {
@@ -126,9 +146,12 @@ template <int Dim>
 void Health<Dim>::check(const Clock& clock) {
     for (const auto& body : world_.bodies) {
         if (!moves(*body)) continue;
+        if (!body->isFluid()) {
+            if (!isFinite(*body)) fail(*body, clock);
+            continue;
+        }
         const Extremes e = extremes(*body);
         if (!e.finite) fail(*body, clock);
-        if (!body->isFluid()) continue;
         const materials::Fluid& fluid = *body->fluid().material;
         if (std::sqrt(e.speed2) > speed_limit * fluid.soundSpeed() && !warned_speed_[body->name])
             checkSpeed(*body, clock);

@@ -195,12 +195,12 @@ int runIn(const model::Case& model, const RunOptions& options) {
         options.output.empty() ? io::Path("output") / caseName(model) : io::Path(options.output);
     const io::Provenance provenance = makeProvenance(threadCount());
     SignalGuard signals;
+    std::optional<io::OutputFolder> folder;  // outlives what writes into it
     Run<Dim> run(model, options, path, provenance);
     Simulation<Dim>& simulation = run.simulation();
 
     // A folder to go on in is locked before its restarts are read. Any other one changes only when
     // the case and the restart are known to be good.
-    std::optional<io::OutputFolder> folder;
     if (options.resume && options.outputs && io::isFolder(path))
         folder.emplace(path, io::ExistingResults::keep);
     simulation.prepare();

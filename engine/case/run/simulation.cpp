@@ -14,6 +14,12 @@
 #include <utility>
 
 namespace sphinx::run {
+namespace {
+
+/// It asks the system, which takes as long as a step of a small body.
+constexpr double seconds_between_watches = 0.1;
+
+}  // namespace
 
 template <int Dim>
 Simulation<Dim>::Simulation(const model::Case& model, const RunOptions& options, io::Path folder,
@@ -46,6 +52,7 @@ void Simulation<Dim>::prepare() {
     outputs_.emplace(tools, options_.outputs);
     outputs_->addTo(plan);
     runner_ = std::make_unique<loop::Runner>(std::move(plan));
+    runner_->watchWrites([this] { before_writes_(); });
     if (resuming()) restore();
     methods_->prepare();
     health_.emplace(*world_, *relations_, placed_.facts);
@@ -63,7 +70,9 @@ template <int Dim>
 void Simulation<Dim>::step() {
     runner_->step([this](const Clock& clock) {
         health_->check(clock);
-        before_outputs_();
+        if (since_watched_.seconds() < seconds_between_watches) return;
+        before_writes_();
+        since_watched_.restart();
     });
     if (held_) held_->hold(clock());
 }
@@ -71,7 +80,6 @@ void Simulation<Dim>::step() {
 template <int Dim>
 std::optional<double> Simulation<Dim>::keepLastGoodState() {
     if (!held_) return {};
-    before_outputs_();
     runner_->syncOutputs();
     return held_->write();
 }

@@ -9,6 +9,7 @@
 #include "case/run/health.h"
 #include "case/run/options.h"
 #include "case/run/restart_source.h"
+#include "core/timer.h"
 #include "io/restart/held.h"
 #include "loop/run/runner.h"
 
@@ -46,8 +47,9 @@ class Simulation {
     /// Has it called before each substep; what it throws ends a step in its midst, after which only
     /// restarts are left.
     void watchSubsteps(const std::function<void()>& watch) { runner_->watchSubsteps(watch); }
-    /// Has it called before outputs write; what it throws ends the run.
-    void watchOutputs(std::function<void()> watch) { before_outputs_ = std::move(watch); }
+    /// Has it called now and then after a step, and before outputs write, by the thread that does;
+    /// what it throws ends the run. To be set before begin().
+    void watchOutputs(std::function<void()> watch) { before_writes_ = std::move(watch); }
     /// The last outputs; of a run that is not finished its restarts only.
     void end() { runner_->end(); }
     /// After a step that failed or was ended in its midst: leaves a restart of the state of some
@@ -82,10 +84,11 @@ class Simulation {
     std::optional<dynamics::Context<Dim>> context_;
     std::unique_ptr<build::Methods<Dim>> methods_;
     std::optional<build::Outputs<Dim>> outputs_;
+    std::function<void()> before_writes_ = [] {};
+    Timer since_watched_;
     std::unique_ptr<loop::Runner> runner_;
     std::optional<Health<Dim>> health_;
     std::optional<io::HeldRestart<Dim>> held_;  // with outputs
-    std::function<void()> before_outputs_ = [] {};
 };
 
 }  // namespace sphinx::run

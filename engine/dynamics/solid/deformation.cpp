@@ -12,7 +12,6 @@
 #include "core/parallel.h"
 #include "core/place_text.h"
 #include "dynamics/solid/fibres.h"
-#include "dynamics/solid/reference_loop.h"
 #include "materials/elastic_laws.h"
 #include "materials/strain.h"
 
@@ -128,6 +127,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
     const ParticleFibres<Dim> fibres(*body_, Law::uses_fibres);
     FirstFailure inverted;
     FirstFailure beyond;
+    stress_planes_.resize(body_->size());
     parallelForGroups(body_->size(), [&](const Group& group) {
         using Matrix = MatOf<Dim, Wide>;
         const Matrix rate = load(rate_, group);
@@ -158,6 +158,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
             density = select(material, density, load(density_, group));
         }
         store(T, stress_, group);
+        stress_planes_.store(T, group);
         store(density, density_, group);
     });
     if (inverted.found()) {
@@ -191,6 +192,7 @@ void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
         for (std::size_t n = 0; n < contact->particles.size(); ++n) {
             const Index i = contact->particles[n];
             stress_[i] += contact->stress[n] * correction_[i].transpose();
+            stress_planes_.set(i, stress_[i]);
         }
     }
 }
@@ -214,10 +216,20 @@ VecOf<Dim, Wide> Deformation<Dim>::stressDivergence(const Group& group) const {
     const VecOf<Dim, Wide> r = load(position_, group);
     for (const Neighbors& n : neighbors_) {
         const auto& list = n.relation->list;
-        sum += productSum<Dim>(list, group, T, *n.stress);
         const double control =
             body_->elastic().hourglass_modulus + n.relation->to->elastic().hourglass_modulus;
-        if (control > 0) sum += control * weightedSum<Dim>(list, group, r, *n.position);
+        const auto of = [&](const auto& neighbors) { return load(*n.stress, neighbors); };
+        if (n.stress != &stress_) {
+            sum += forceSum<Dim>(list, group, T, of, control, r, *n.position);
+            continue;
+        }
+        const auto of_own = [&](const auto& neighbors) {
+            if constexpr (std::is_same_v<std::decay_t<decltype(neighbors)>, Run>)
+                return stress_planes_.load(neighbors);
+            else
+                return of(neighbors);
+        };
+        sum += forceSum<Dim>(list, group, T, of_own, control, r, *n.position);
     }
     return sum;
 }

@@ -5,6 +5,7 @@
 #include "core/clock.h"
 #include "dynamics/context.h"
 #include "dynamics/group.h"
+#include "dynamics/solid/reference_loop.h"
 #include "materials/elastic_solid.h"
 
 #include <vector>
@@ -80,6 +81,7 @@ class Deformation {
     Field<Mat<Dim>>& gradient_;
     Field<Mat<Dim>>& rate_;
     Field<Mat<Dim>>& stress_;
+    Planes<Dim> stress_planes_;  // the same
 };
 
 }  // namespace sphinx::dynamics::solid

@@ -4,10 +4,12 @@
 
 #include "core/errors.h"
 #include "core/parallel.h"
+#include "dynamics/group.h"
 
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace sphinx::dynamics::solid {
@@ -19,6 +21,13 @@ constexpr double nearest = 1.1;
 /// than u, r_ij changes by 2 u at most, and F_ij R_ij by about 4 u: it is a sum over differences of
 /// 2 u whose weights, abs(g_ij) R_ij, add up to 2.
 constexpr double safe = 1.0 / 8;
+
+template <int Dim>
+VecOf<Dim, Wide> placesOf(const AlignedVector<Vec<Dim>>& places, const Group& group) {
+    Lanes a[Dim];
+    dynamics::detail::load<Dim>(places.data()->data(), group, a);
+    return wide<Dim, 1>(a);
+}
 
 }  // namespace
 
@@ -78,9 +87,22 @@ NeighborOrder<Dim>::Found NeighborOrder<Dim>::look() const {
 template <int Dim>
 double NeighborOrder<Dim>::moved() const {
     const auto& position = body_->particles.position();
-    return std::sqrt(maxAll(body_->size(), 0, [&](std::size_t i) {
-        return world_->domain.difference(position[i], places_[i]).squaredNorm();
-    }));
+    const std::size_t n = body_->size();
+    if (std::ranges::any_of(world_->domain.periodic, std::identity()))
+        return std::sqrt(maxAll(n, 0, [&](std::size_t i) {
+            return world_->domain.difference(position[i], places_[i]).squaredNorm();
+        }));
+    return std::sqrt(reduceAll(
+        groupCount(n), 0.0,
+        [&](std::size_t begin, std::size_t end) {
+            Wide most = 0;
+            for (std::size_t number = begin; number < end; ++number) {
+                const Group group = groupOf(number, n);
+                most = max(most, (load(position, group) - placesOf(places_, group)).squaredNorm());
+            }
+            return maxOf(most);
+        },
+        [](double a, double b) { return std::max(a, b); }, group_block));
 }
 
 template <int Dim>

@@ -5,6 +5,8 @@
 #include "dynamics/group.h"
 #include "dynamics/words.h"
 
+#include <array>
+
 // Sums over neighbors in the reference configuration, of the eight particles of a group at a time.
 namespace sphinx::dynamics::solid {
 
@@ -42,22 +44,32 @@ inline auto load(const Field<Eigen::Matrix<double, Rows, Columns>>& field, const
     return wide<Rows, Columns>(a);
 }
 
-/// term(b, neighbors, g) for all blocks of a group: number of the block, Run or Scattered, and
-/// g = e_ij W'_ij V_j of the eight pairs, 1/length. Where a particle has no neighbor, g is 0.
-template <int Dim, class Term>
-inline void forEachBlock(const ReferenceList<Dim>& list, const Group& group, Term&& term) {
-    const auto& blocks = list.group(group.number());
-    const auto* gradients = list.gradients(blocks);
-    const Index* index = list.indices(blocks);
-    const auto gradient = [&](std::uint32_t b) {
+/// What a list says of eight pairs; 0 where a particle has no neighbor.
+template <int Dim>
+struct PairsOfBlock {
+    const typename ReferenceList<Dim>::Terms& terms;
+
+    /// e_ij W'_ij V_j, 1/length.
+    VecOf<Dim, Wide> gradient() const {
         VecOf<Dim, Wide> g;
         for (int c = 0; c < Dim; ++c)
-            g[c] = loadLanes(gradients[b][static_cast<std::size_t>(c)].data());
+            g[c] = loadLanes(terms.gradient[static_cast<std::size_t>(c)].data());
         return g;
-    };
+    }
+    Wide weight() const { return loadLanes(terms.weight.data()); }
+};
+
+/// term(neighbors, pairs) for all blocks of a group: Run or Scattered, and PairsOfBlock.
+template <int Dim, class Term>
+[[gnu::always_inline]] inline void forEachBlock(const ReferenceList<Dim>& list, const Group& group,
+                                                Term&& term) {
+    const auto& blocks = list.group(group.number());
+    const Index* index = list.indices(blocks);
     std::uint32_t b = 0;
-    for (; b < blocks.runs; ++b, ++index) term(b, Run{index}, gradient(b));
-    for (; b < blocks.blocks; ++b, index += lane_count) term(b, Scattered{index}, gradient(b));
+    for (; b < blocks.runs; ++b, ++index)
+        term(Run{index}, PairsOfBlock<Dim>{list.terms(blocks, b)});
+    for (; b < blocks.blocks; ++b, index += lane_count)
+        term(Scattered{index}, PairsOfBlock<Dim>{list.terms(blocks, b)});
 }
 
 /// sum_j (a_j - a_i) (x) g_ij over the neighbors, a the values in their body.
@@ -65,35 +77,61 @@ template <int Dim>
 inline MatOf<Dim, Wide> differenceSum(const ReferenceList<Dim>& list, const Group& group,
                                       const VecOf<Dim, Wide>& own, const Field<Vec<Dim>>& values) {
     MatOf<Dim, Wide> sum = MatOf<Dim, Wide>::Zero();
-    forEachBlock<Dim>(list, group, [&](auto, const auto& neighbors, const VecOf<Dim, Wide>& g) {
+    forEachBlock<Dim>(list, group, [&](const auto& neighbors, const PairsOfBlock<Dim>& pairs) {
         const VecOf<Dim, Wide> difference = load(values, neighbors) - own;
-        sum += difference * g.transpose();
+        sum += difference * pairs.gradient().transpose();
     });
     return sum;
 }
 
-/// sum_j k_ij (a_j - a_i) over the neighbors, k the weights of the list. (Differences, so that
-/// rounding does not grow with the distance from the origin.)
-template <int Dim>
-inline VecOf<Dim, Wide> weightedSum(const ReferenceList<Dim>& list, const Group& group,
-                                    const VecOf<Dim, Wide>& own, const Field<Vec<Dim>>& values) {
-    VecOf<Dim, Wide> sum = VecOf<Dim, Wide>::Zero();
-    const auto* weights = list.weights(list.group(group.number()));
-    forEachBlock<Dim>(list, group, [&](auto b, const auto& neighbors, const VecOf<Dim, Wide>&) {
-        sum += Wide(loadLanes(weights[b].data())) * (load(values, neighbors) - own);
+/// sum_j (T_i + T_j) g_ij over the neighbors, and where `control` is not 0
+/// control sum_j k_ij (r_j - r_i), k the weights of the list. (Differences, so that rounding does
+/// not grow with the distance from the origin; sums of two, so that what i gets j loses.)
+/// stress(neighbors): T_j of eight of them.
+template <int Dim, class Stress>
+inline VecOf<Dim, Wide> forceSum(const ReferenceList<Dim>& list, const Group& group,
+                                 const MatOf<Dim, Wide>& own_stress, Stress&& stress,
+                                 double control, const VecOf<Dim, Wide>& own_place,
+                                 const Field<Vec<Dim>>& places) {
+    VecOf<Dim, Wide> force = VecOf<Dim, Wide>::Zero();
+    VecOf<Dim, Wide> pull = VecOf<Dim, Wide>::Zero();
+    if (control == 0) {
+        forEachBlock<Dim>(list, group, [&](const auto& neighbors, const PairsOfBlock<Dim>& pairs) {
+            force += (stress(neighbors) + own_stress) * pairs.gradient();
+        });
+        return force;
+    }
+    forEachBlock<Dim>(list, group, [&](const auto& neighbors, const PairsOfBlock<Dim>& pairs) {
+        force += (stress(neighbors) + own_stress) * pairs.gradient();
+        pull += pairs.weight() * (load(places, neighbors) - own_place);
     });
-    return sum;
+    return force + control * pull;
 }
 
-/// sum_j (T_i + T_j) g_ij over the neighbors.
+/// The values of a matrix field component by component: a run of neighbors is read without a
+/// shuffle.
 template <int Dim>
-inline VecOf<Dim, Wide> productSum(const ReferenceList<Dim>& list, const Group& group,
-                                   const MatOf<Dim, Wide>& own, const Field<Mat<Dim>>& values) {
-    VecOf<Dim, Wide> sum = VecOf<Dim, Wide>::Zero();
-    forEachBlock<Dim>(list, group, [&](auto, const auto& neighbors, const VecOf<Dim, Wide>& g) {
-        sum += (load(values, neighbors) + own) * g;
-    });
-    return sum;
-}
+class Planes {
+ public:
+    void resize(std::size_t particles) {
+        for (auto& plane : planes_) plane.resize(groupCount(particles) * lane_count);
+    }
+    void store(const MatOf<Dim, Wide>& value, const Group& group) {
+        for (std::size_t c = 0; c < planes_.size(); ++c)
+            storeLanes(value.data()[c].at, planes_[c].data() + group.first);
+    }
+    void set(std::size_t i, const Mat<Dim>& value) {
+        for (std::size_t c = 0; c < planes_.size(); ++c) planes_[c][i] = value.data()[c];
+    }
+    MatOf<Dim, Wide> load(const Run& run) const {
+        MatOf<Dim, Wide> value;
+        for (std::size_t c = 0; c < planes_.size(); ++c)
+            value.data()[c] = loadLanes(planes_[c].data() + *run.first);
+        return value;
+    }
+
+ private:
+    std::array<AlignedVector<double>, Dim * Dim> planes_;
+};
 
 }  // namespace sphinx::dynamics::solid

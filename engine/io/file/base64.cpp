@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 namespace sphinx::io {
 namespace {
@@ -21,19 +22,30 @@ constexpr std::array<std::uint8_t, 256> makeValues() {
 }
 constexpr std::array<std::uint8_t, 256> values = makeValues();
 
+/// Two digits for every 12 bits.
+constexpr std::array<std::array<char, 2>, 4096> makePairs() {
+    std::array<std::array<char, 2>, 4096> pairs{};
+    for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k] = {digits[k >> 6], digits[k & 63]};
+    return pairs;
+}
+constexpr std::array<std::array<char, 2>, 4096> pairs = makePairs();
+
 }  // namespace
 
 std::string encodeBase64(std::string_view bytes) {
     std::string text((bytes.size() + 2) / 3 * 4, '=');
-    const auto byte = [&](std::size_t k) {
-        return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u;
-    };
+    const auto byte = [&](std::size_t k) { return unsigned{static_cast<unsigned char>(bytes[k])}; };
     char* out = text.data();
-    for (std::size_t k = 0; k < bytes.size(); k += 3, out += 4) {
+    const std::size_t whole = bytes.size() / 3 * 3;
+    for (std::size_t k = 0; k < whole; k += 3, out += 4) {
         const unsigned group = byte(k) << 16 | byte(k + 1) << 8 | byte(k + 2);
-        const std::size_t count = bytes.size() - k < 3 ? bytes.size() - k + 1 : 4;
-        for (std::size_t d = 0; d < count; ++d) out[d] = digits[group >> (18 - 6 * d) & 63];
+        std::memcpy(out, pairs[group >> 12].data(), 2);
+        std::memcpy(out + 2, pairs[group & 4095].data(), 2);
     }
+    if (whole == bytes.size()) return text;
+    const bool two = whole + 2 == bytes.size();
+    const unsigned group = byte(whole) << 16 | (two ? byte(whole + 1) << 8 : 0);
+    for (std::size_t d = 0; d < (two ? 3u : 2u); ++d) out[d] = digits[group >> (18 - 6 * d) & 63];
     return text;
 }
 

@@ -21,6 +21,10 @@ namespace {
                     std::strerror(code));
 }
 
+void giveName(const Path& from, const Path& to) {
+    if (::rename(from.c_str(), to.c_str()) != 0) fail("write", to, errno);
+}
+
 constexpr mode_t file_mode = 0666;  // the user's umask takes away
 
 }  // namespace
@@ -133,13 +137,29 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::commit() {
     file_.sync();
+    publish();
+    syncFolder(path_.parent_path());
+}
+
+void AtomicFile::publish() {
     file_.close();
-    renameFile(temporary_, path_);
+    giveName(temporary_, path_);
     committed_ = true;
 }
 
+void UnsyncedFiles::sync() {
+    std::set<Path> folders;
+    for (const Path& path : paths_) {
+        if (!isThere(path)) continue;
+        File::openRead(path).sync();
+        folders.insert(path.parent_path());
+    }
+    for (const Path& folder : folders) syncFolder(folder);
+    paths_.clear();
+}
+
 void renameFile(const Path& from, const Path& to) {
-    if (::rename(from.c_str(), to.c_str()) != 0) fail("write", to, errno);
+    giveName(from, to);
     syncFolder(to.parent_path());
 }
 
@@ -147,6 +167,12 @@ void writeFileAtomically(const Path& path, std::string_view content) {
     AtomicFile file(path);
     file.write(content);
     file.commit();
+}
+
+void publishFile(const Path& path, std::string_view content) {
+    AtomicFile file(path);
+    file.write(content);
+    file.publish();
 }
 
 void syncFolder(const Path& folder) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -47,8 +48,8 @@ class File {
     int descriptor_ = -1;
 };
 
-/// A file that appears complete or not at all: written as PATH.tmp, synced and renamed by commit().
-/// Without commit() the temporary is removed and what was at PATH stays.
+/// A file that appears complete or not at all: written as PATH.tmp and renamed by commit() or
+/// publish(). Without them the temporary is removed and what was at PATH stays.
 class AtomicFile {
  public:
     explicit AtomicFile(const Path& path);
@@ -58,7 +59,10 @@ class AtomicFile {
 
     void write(std::string_view bytes) { file_.write(bytes); }
     void writeAt(std::uint64_t offset, std::string_view bytes) { file_.writeAt(offset, bytes); }
+    /// The disk has it when this returns.
     void commit();
+    /// It outlives the process; a machine that dies may take it along.
+    void publish();
 
  private:
     Path path_;
@@ -67,12 +71,25 @@ class AtomicFile {
     bool committed_ = false;
 };
 
+/// Published files that the disk may not have yet.
+class UnsyncedFiles {
+ public:
+    void add(const Path& path) { paths_.insert(path); }
+    /// The disk has all that are still there, and their names, when this returns.
+    void sync();
+
+ private:
+    std::set<Path> paths_;
+};
+
 /// The name under which a file is written before it is complete.
 Path temporaryName(const Path& path);
 
 /// Gives a file its final name, durably.
 void renameFile(const Path& from, const Path& to);
 void writeFileAtomically(const Path& path, std::string_view content);
+/// Like AtomicFile::publish().
+void publishFile(const Path& path, std::string_view content);
 /// Makes renames and removals inside the folder durable.
 void syncFolder(const Path& folder);
 void makeFolder(const Path& folder);

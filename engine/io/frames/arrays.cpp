@@ -94,30 +94,24 @@ NumberType numberType(const particles::FieldInfo& info, bool single_precision) {
 }
 
 template <int Dim>
-ArrayView ArrayGatherer<Dim>::gather(const particles::FieldBase& field,
-                                     const particles::IdOrder& order) {
-    ArrayView view;
-    view.name = field.info().name;
-    view.type = numberType(field.info(), single_precision_);
-    if (view.type == NumberType::int64) {
-        view.bytes = order.bytes(field, buffer_);
-        return view;
+ArrayCopy copyArray(const particles::FieldBase& field, const particles::IdOrder& order,
+                    FieldLayout layout, bool single_precision) {
+    ArrayCopy copy;
+    copy.type = numberType(field.info(), single_precision);
+    const std::vector<int> map = componentMap<Dim>(field.info().rank, layout);
+    copy.components = static_cast<int>(map.size());
+    const bool single = copy.type == NumberType::float32;
+    if (!single && field.components() == copy.components && unchangedOrder(map)) {
+        copy.values = order.copy(field);
+        return copy;
     }
-    const std::vector<int> map = componentMap<Dim>(field.info().rank, layout_);
-    view.components = static_cast<int>(map.size());
-    const bool single = view.type == NumberType::float32;
-    if (!single && field.components() == view.components && unchangedOrder(map)) {
-        view.bytes = order.bytes(field, buffer_);
-        return view;
-    }
-    buffer_.resize(order.size() * map.size() * bytesOf(view.type));
-    void* target = buffer_.data();
+    copy.values.resize(order.size() * map.size() * bytesOf(copy.type));
+    void* target = copy.values.data();
     if (single)
         convert(field.numbers(), field.components(), map, order, static_cast<float*>(target));
     else
         convert(field.numbers(), field.components(), map, order, static_cast<double*>(target));
-    view.bytes = {buffer_.data(), buffer_.size()};
-    return view;
+    return copy;
 }
 
 std::uint64_t fieldFingerprint(const particles::FieldBase& field, const particles::IdOrder& order) {
@@ -160,7 +154,9 @@ template std::vector<const particles::FieldBase*> frameFields(const BodyFrames<2
 template std::vector<const particles::FieldBase*> frameFields(const BodyFrames<3>&);
 template int componentsOf<2>(particles::Rank, FieldLayout);
 template int componentsOf<3>(particles::Rank, FieldLayout);
-template class ArrayGatherer<2>;
-template class ArrayGatherer<3>;
+template ArrayCopy copyArray<2>(const particles::FieldBase&, const particles::IdOrder&, FieldLayout,
+                                bool);
+template ArrayCopy copyArray<3>(const particles::FieldBase&, const particles::IdOrder&, FieldLayout,
+                                bool);
 
 }  // namespace sphinx::io

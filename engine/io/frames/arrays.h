@@ -27,11 +27,12 @@ template <int Dim>
 std::vector<const particles::FieldBase*> frameFields(const BodyFrames<Dim>& frames);
 
 /// Values of one field as a file wants them.
-struct ArrayView {
-    std::string_view name;
+struct ArrayCopy {
     NumberType type = NumberType::float64;
     int components = 1;
-    std::string_view bytes;  ///< components() values per particle, little endian
+    AlignedVector<char> values;  ///< `components` a particle, little endian
+
+    std::string_view bytes() const { return {values.data(), values.size()}; }
 };
 
 /// How vectors and matrices are laid out.
@@ -40,21 +41,10 @@ enum class FieldLayout {
     padded,  ///< 3 components, 3 x 3 row by row; zeros where 2D has nothing (as VTK wants them)
 };
 
-/// Brings fields into the layout of a file, particles by ascending id. The view is valid until the
-/// next call.
+/// A field in the layout of a file, particles by ascending id.
 template <int Dim>
-class ArrayGatherer {
- public:
-    ArrayGatherer(FieldLayout layout, bool single_precision)
-        : layout_(layout), single_precision_(single_precision) {}
-
-    ArrayView gather(const particles::FieldBase& field, const particles::IdOrder& order);
-
- private:
-    FieldLayout layout_;
-    bool single_precision_;
-    AlignedVector<char> buffer_;
-};
+ArrayCopy copyArray(const particles::FieldBase& field, const particles::IdOrder& order,
+                    FieldLayout layout, bool single_precision);
 
 /// Components of a field in that layout.
 template <int Dim>

@@ -4,6 +4,8 @@
 
 #include "io/hdf5/reader.h"
 
+#include <optional>
+
 namespace sphinx::io {
 
 using namespace hdf5;
@@ -12,8 +14,9 @@ template <int Dim>
 struct Hdf5Output<Dim>::Series {
     struct Member {
         const particles::FieldBase* field = nullptr;
+        bool taken = false;  // by this process
         std::uint64_t fingerprint = 0;
-        std::shared_ptr<StoredNode> stored;  // null: not written by this process
+        std::shared_ptr<StoredNode> stored{};  // for the thread that writes, like all below
     };
 
     const bodies::Body<Dim>* body = nullptr;
@@ -32,18 +35,23 @@ struct Hdf5Output<Dim>::Series {
     }
 };
 
+/// The arrays of a body; those that have not changed are in the file.
+template <int Dim>
+struct Hdf5Output<Dim>::Frame {
+    std::size_t particles = 0;
+    std::vector<std::optional<ArrayCopy>> arrays;  // of all members
+};
+
 template <int Dim>
 Hdf5Output<Dim>::Hdf5Output(Hdf5Parameters parameters, std::shared_ptr<ResultsFile> file,
                             std::vector<BodyFrames<Dim>> bodies)
-    : parameters_(std::move(parameters)),
-      file_(std::move(file)),
-      gatherer_(FieldLayout::plain, parameters_.single_precision) {
+    : parameters_(std::move(parameters)), file_(std::move(file)) {
     for (const BodyFrames<Dim>& frames : bodies) {
         auto series = std::make_unique<Series>();
         series->body = frames.body;
-        series->members.push_back({frames.body->particles.find(fields::position.name), 0, nullptr});
+        series->members.push_back({frames.body->particles.find(fields::position.name)});
         for (const particles::FieldBase* field : frameFields(frames))
-            series->members.push_back({field, 0, nullptr});
+            series->members.push_back({field});
         series->makeGroup(parameters_.units.text(unit::time));
         series_.push_back(std::move(series));
     }
@@ -73,44 +81,66 @@ void Hdf5Output<Dim>::open() {
 }
 
 template <int Dim>
-std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(const particles::FieldBase& field,
-                                                     const particles::IdOrder& order) {
-    const ArrayView view = gatherer_.gather(field, order);
+std::shared_ptr<ChunkedArray> Hdf5Output<Dim>::store(const particles::FieldInfo& field,
+                                                     const ArrayCopy& values,
+                                                     std::size_t particles) {
     Dimensions row_shape;
-    if (field.info().rank == particles::Rank::vector) row_shape = {Dim};
-    if (field.info().rank == particles::Rank::matrix) row_shape = {Dim, Dim};
-    auto array = std::make_shared<ChunkedArray>(numberOf(view.type), row_shape,
-                                                chunkRowsFor(order.size()), true);
-    array->setAttributes({{"unit", parameters_.units.text(field.info().unit)},
-                          {"description", std::string(field.info().doc)}});
-    array->appendChunks(file_->file(), view.bytes);
+    if (field.rank == particles::Rank::vector) row_shape = {Dim};
+    if (field.rank == particles::Rank::matrix) row_shape = {Dim, Dim};
+    auto array = std::make_shared<ChunkedArray>(numberOf(values.type), row_shape,
+                                                chunkRowsFor(particles), true);
+    array->setAttributes(
+        {{"unit", parameters_.units.text(field.unit)}, {"description", std::string(field.doc)}});
+    array->appendChunks(file_->file(), values.bytes());
     return array;
 }
 
 template <int Dim>
-void Hdf5Output<Dim>::write(const Clock& clock) {
-    open();
+FileWork Hdf5Output<Dim>::take(const Clock& clock) {
+    auto frames = std::make_shared<std::vector<Frame>>();
+    std::size_t bytes = 0;
     for (auto& series : series_) {
+        Frame& frame = frames->emplace_back();
         const particles::IdOrder order(series->body->particles);
-        Group frame;
-        frame.setAttributes({{"time", clock.time}, {"step", clock.steps}});
+        frame.particles = order.size();
         for (auto& member : series->members) {
             const std::uint64_t now = fieldFingerprint(*member.field, order);
-            if (!member.stored || now != member.fingerprint) {
-                const Address address = store(*member.field, order)->store(file_->file());
-                member.stored = std::make_shared<StoredNode>(address);
-                member.fingerprint = now;
-            }
-            frame.put(std::string(member.field->info().name), member.stored);
+            std::optional<ArrayCopy>& array = frame.arrays.emplace_back();
+            if (member.taken && now == member.fingerprint) continue;
+            array = copyArray<Dim>(*member.field, order, FieldLayout::plain,
+                                   parameters_.single_precision);
+            member.taken = true;
+            member.fingerprint = now;
+            bytes += array->values.size();
         }
-        series->group->put(frameName("frame", frames_, ""),
-                           std::make_shared<StoredNode>(frame.store(file_->file())));
-        series->time->append({clock.time});
-        series->step->append({clock.steps});
-        series->frame->append({frames_});
+    }
+    return {[this, frames, clock, number = frames_++] { writeFrames(*frames, clock, number); },
+            bytes};
+}
+
+template <int Dim>
+void Hdf5Output<Dim>::writeFrames(const std::vector<Frame>& frames, const Clock& clock,
+                                  std::int64_t number) {
+    open();
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+        Series& series = *series_[k];
+        Group frame;
+        frame.setAttributes({{"time", clock.time}, {"step", clock.steps}});
+        for (std::size_t m = 0; m < series.members.size(); ++m) {
+            auto& member = series.members[m];
+            const particles::FieldInfo& field = member.field->info();
+            if (const auto& array = frames[k].arrays[m])
+                member.stored = std::make_shared<StoredNode>(
+                    store(field, *array, frames[k].particles)->store(file_->file()));
+            frame.put(std::string(field.name), member.stored);
+        }
+        series.group->put(frameName("frame", number, ""),
+                          std::make_shared<StoredNode>(frame.store(file_->file())));
+        series.time->append({clock.time});
+        series.step->append({clock.steps});
+        series.frame->append({number});
     }
     file_->commit(true);
-    ++frames_;
 }
 
 template <int Dim>

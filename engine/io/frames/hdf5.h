@@ -29,20 +29,22 @@ class Hdf5Output final : public Output {
     ~Hdf5Output() override;
 
     std::vector<OutputFile> files() const override;
-    void write(const Clock& clock) override;
+    FileWork take(const Clock& clock) override;
     void transfer(Archive& archive) override { archive.count("frames", frames_); }
     void resume(const Clock& clock) override;
 
  private:
     struct Series;  // of one body
 
+    struct Frame;  // of one of them
+
     void open();
-    std::shared_ptr<hdf5::ChunkedArray> store(const particles::FieldBase& field,
-                                              const particles::IdOrder& order);
+    void writeFrames(const std::vector<Frame>& frames, const Clock& clock, std::int64_t number);
+    std::shared_ptr<hdf5::ChunkedArray> store(const particles::FieldInfo& field,
+                                              const ArrayCopy& array, std::size_t particles);
 
     Hdf5Parameters parameters_;
     std::shared_ptr<ResultsFile> file_;
-    ArrayGatherer<Dim> gatherer_;
     std::vector<std::unique_ptr<Series>> series_;
     std::int64_t frames_ = 0;
     bool open_ = false;

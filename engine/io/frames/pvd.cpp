@@ -15,8 +15,7 @@ constexpr std::uint64_t size_limit = std::uint64_t{1} << 30;
 
 }  // namespace
 
-void writePvd(const Path& path, const std::vector<PvdEntry>& entries,
-              const Provenance& provenance) {
+std::string pvdText(const std::vector<PvdEntry>& entries, const Provenance& provenance) {
     tinyxml2::XMLPrinter xml;
     xml.PushHeader(false, true);
     xml.OpenElement("VTKFile");
@@ -43,7 +42,7 @@ void writePvd(const Path& path, const std::vector<PvdEntry>& entries,
     }
     xml.CloseElement();
     xml.CloseElement();
-    writeFileAtomically(path, xml.CStr());
+    return xml.CStr();
 }
 
 std::vector<PvdEntry> readPvd(const Path& path) {

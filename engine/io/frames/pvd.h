@@ -17,9 +17,9 @@ struct PvdEntry {
     std::string file;  ///< relative to the list
 };
 
-void writePvd(const Path& path, const std::vector<PvdEntry>& entries, const Provenance& provenance);
+std::string pvdText(const std::vector<PvdEntry>& entries, const Provenance& provenance);
 
-/// Reads a list that writePvd wrote; a missing file is an empty list. Throws FileError.
+/// Reads a list of this text; a missing file is an empty list. Throws FileError.
 std::vector<PvdEntry> readPvd(const Path& path);
 
 }  // namespace sphinx::io

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/frames/tecplot.h"
 
-#include "core/parallel.h"
 #include "io/file/number_text.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace sphinx::io {
 namespace {
 
-constexpr std::size_t lines_in_block = 4096;  // formatted by one thread at a time
+constexpr std::size_t lines_in_block = 4096;
 
 std::string quoted(std::string text) {
     std::replace(text.begin(), text.end(), '"', '\'');
@@ -37,27 +37,39 @@ std::vector<std::string> componentNames(const particles::FieldInfo& info) {
     return names;
 }
 
-std::string formatLines(const std::vector<const particles::FieldBase*>& fields,
-                        const particles::IdOrder& order, std::size_t begin, std::size_t end) {
+/// The values of a field, 8 bytes each, particles by ascending id.
+struct Column {
+    bool integers;
+    std::size_t width;
+    AlignedVector<char> values;
+
+    void append(std::string& text, std::size_t k) const {
+        for (std::size_t c = width * k; c < width * (k + 1); ++c) {
+            if (integers)
+                appendInteger(text, reinterpret_cast<const std::int64_t*>(values.data())[c]);
+            else
+                appendNumber(text, reinterpret_cast<const double*>(values.data())[c]);
+            text += ' ';
+        }
+    }
+};
+
+std::string formatLines(const std::vector<Column>& columns, std::size_t begin, std::size_t end) {
     std::string text;
     for (std::size_t k = begin; k < end; ++k) {
-        const std::size_t i = order[k];
-        for (const particles::FieldBase* field : fields) {
-            const auto width = static_cast<std::size_t>(field->components());
-            for (std::size_t c = 0; c < width; ++c) {
-                if (const std::int64_t* integers = field->integers())
-                    appendInteger(text, integers[i * width + c]);
-                else
-                    appendNumber(text, field->numbers()[i * width + c]);
-                text += ' ';
-            }
-        }
+        for (const Column& column : columns) column.append(text, k);
         text.back() = '\n';
     }
     return text;
 }
 
 }  // namespace
+
+template <int Dim>
+struct TecplotOutput<Dim>::Frame {
+    std::size_t particles = 0;
+    std::vector<Column> columns;  // of all fields
+};
 
 template <int Dim>
 TecplotOutput<Dim>::TecplotOutput(FrameParameters parameters,
@@ -90,40 +102,50 @@ std::vector<OutputFile> TecplotOutput<Dim>::files() const {
 }
 
 template <int Dim>
-void TecplotOutput<Dim>::write(const Clock& clock) {
-    int strand = 0;
+FileWork TecplotOutput<Dim>::take(const Clock& clock) {
+    auto frames = std::make_shared<std::vector<Frame>>();
+    std::size_t bytes = 0;
     for (const Series& series : series_) {
-        ++strand;
+        Frame& frame = frames->emplace_back();
         const particles::IdOrder order(series.body->particles);
-        const std::size_t particles = order.size();
+        frame.particles = order.size();
+        for (const particles::FieldBase* field : series.fields) {
+            frame.columns.push_back({field->integers() != nullptr,
+                                     static_cast<std::size_t>(field->components()),
+                                     order.copy(*field)});
+            bytes += frame.columns.back().values.size();
+        }
+    }
+    return {[this, frames, time = clock.time, number = frames_++] {
+                writeFrames(*frames, time, number);
+            },
+            bytes};
+}
+
+template <int Dim>
+void TecplotOutput<Dim>::writeFrames(const std::vector<Frame>& frames, double time,
+                                     std::int64_t number) {
+    for (std::size_t s = 0; s < series_.size(); ++s) {
+        const std::string& body = series_[s].body->name;
+        const std::size_t particles = frames[s].particles;
         if (particles == 0) continue;
         std::string header =
-            "TITLE = " + quoted(series.body->name) + "\nVARIABLES =" + series.variables + "\n";
+            "TITLE = " + quoted(body) + "\nVARIABLES =" + series_[s].variables + "\n";
         for (const auto& [name, value] : parameters_.provenance.entries)
             header += "DATASETAUXDATA " + name + " = " + quoted(value) + "\n";
-        header += "ZONE T = " + quoted(series.body->name) + ", I = " + std::to_string(particles) +
-                  ", DATAPACKING = POINT, STRANDID = " + std::to_string(strand) +
-                  ", SOLUTIONTIME = " + numberText(clock.time) + "\n";
-        AtomicFile file(parameters_.folder / frameName(series.body->name, frames_, ".dat"));
+        header += "ZONE T = " + quoted(body) + ", I = " + std::to_string(particles) +
+                  ", DATAPACKING = POINT, STRANDID = " + std::to_string(s + 1) +
+                  ", SOLUTIONTIME = " + numberText(time) + "\n";
+        const Path path = parameters_.folder / frameName(body, number, ".dat");
+        AtomicFile file(path);
         file.write(header);
-        // A few blocks at a time, so that the text of a large frame is never held as a whole.
-        std::vector<std::string> blocks(16);
-        for (std::size_t begin = 0; begin < particles;) {
-            const std::size_t end = std::min(particles, begin + blocks.size() * lines_in_block);
-            parallelFor(
-                blocks.size(),
-                [&](std::size_t b) {
-                    const std::size_t first = std::min(end, begin + b * lines_in_block);
-                    blocks[b] = formatLines(series.fields, order, first,
-                                            std::min(end, first + lines_in_block));
-                },
-                1);
-            for (const std::string& block : blocks) file.write(block);
-            begin = end;
-        }
-        file.commit();
+        // Block by block, so that the text of a large frame is never held as a whole.
+        for (std::size_t begin = 0; begin < particles; begin += lines_in_block)
+            file.write(
+                formatLines(frames[s].columns, begin, std::min(particles, begin + lines_in_block)));
+        file.publish();
+        unsynced_.add(path);
     }
-    ++frames_;
 }
 
 template <int Dim>

@@ -19,7 +19,8 @@ class TecplotOutput final : public Output {
     TecplotOutput(FrameParameters parameters, const std::vector<BodyFrames<Dim>>& bodies);
 
     std::vector<OutputFile> files() const override;
-    void write(const Clock& clock) override;
+    FileWork take(const Clock& clock) override;
+    void sync() override { unsynced_.sync(); }
     void transfer(Archive& archive) override { archive.count("frames", frames_); }
     void resume(const Clock& clock) override;
 
@@ -29,10 +30,14 @@ class TecplotOutput final : public Output {
         std::vector<const particles::FieldBase*> fields;  // position first
         std::string variables;
     };
+    struct Frame;  // of one of them
+
+    void writeFrames(const std::vector<Frame>& frames, double time, std::int64_t number);
 
     FrameParameters parameters_;
     std::vector<Series> series_;
     std::int64_t frames_ = 0;
+    UnsyncedFiles unsynced_;
 };
 
 }  // namespace sphinx::io

@@ -6,6 +6,7 @@
 #include "io/hdf5/results_file.h"
 
 #include <bit>
+#include <optional>
 
 namespace sphinx::io {
 
@@ -17,29 +18,46 @@ class VtkHdfOutput<Dim>::Series {
  public:
     Series(const FrameParameters& parameters, const BodyFrames<Dim>& frames)
         : parameters_(parameters),
-          gatherer_(FieldLayout::padded, parameters.single_precision),
           body_(frames.body),
           path_(parameters.folder / (frames.body->name + ".vtkhdf")) {
         members_.push_back({frames.body->particles.find(fields::position.name)});
         for (const particles::FieldBase* field : frameFields(frames)) members_.push_back({field});
     }
 
-    void write(const Clock& clock, std::int64_t frame) {
-        if (!file_) create();
-        VtkHdfStep step;
-        step.time = clock.time;
-        step.frame = frame;
+    /// The arrays of a frame; those that have not changed are in the file.
+    struct Frame {
+        std::size_t points = 0;
+        std::vector<std::optional<ArrayCopy>> arrays;  // of all members
+        std::size_t bytes = 0;
+    };
+
+    Frame take() {
+        Frame frame;
         const particles::IdOrder order(body_->particles);
-        step.part = layout_->part(*file_, order.size());
-        for (std::size_t m = 0; m < members_.size(); ++m) {
-            Member& member = members_[m];
+        frame.points = order.size();
+        for (Member& member : members_) {
             const std::uint64_t now = fieldFingerprint(*member.field, order);
-            if (member.row < 0 || now != member.fingerprint) {
-                const std::string_view rows = gatherer_.gather(*member.field, order).bytes;
-                member.row = layout_->append(*file_, m, rows);
-                member.fingerprint = now;
-            }
-            step.rows.push_back(member.row);
+            std::optional<ArrayCopy>& array = frame.arrays.emplace_back();
+            if (member.taken && now == member.fingerprint) continue;
+            array = copyArray<Dim>(*member.field, order, FieldLayout::padded,
+                                   parameters_.single_precision);
+            member.taken = true;
+            member.fingerprint = now;
+            frame.bytes += array->values.size();
+        }
+        return frame;
+    }
+
+    void write(const Frame& frame, double time, std::int64_t number) {
+        if (!file_) create(frame.points);
+        VtkHdfStep step;
+        step.time = time;
+        step.frame = number;
+        step.part = layout_->part(*file_, frame.points);
+        for (std::size_t m = 0; m < members_.size(); ++m) {
+            if (const auto& array = frame.arrays[m])
+                members_[m].row = layout_->append(*file_, m, array->bytes());
+            step.rows.push_back(members_[m].row);
         }
         layout_->addStep(step);
         commit(*file_, layout_->root(), true);
@@ -47,7 +65,7 @@ class VtkHdfOutput<Dim>::Series {
 
     void resume(const Clock& clock, std::int64_t frames) {
         if (!isThere(path_)) return;
-        makeLayout();
+        makeLayout(body_->size());
         if (!layout_->load(path_, frames)) {
             layout_.reset();
             setAside(path_, clock.steps);
@@ -59,7 +77,10 @@ class VtkHdfOutput<Dim>::Series {
         // The fingerprints are those of the last frame before the restart.
         if (last.frame == frames - 1)
             for (std::size_t m = 0; m < last.rows.size(); ++m)
-                if (members_[m].fingerprint_known) members_[m].row = last.rows[m];
+                if (members_[m].fingerprint_known) {
+                    members_[m].row = last.rows[m];
+                    members_[m].taken = true;
+                }
     }
 
     const std::string& name() const { return body_->name; }
@@ -86,16 +107,17 @@ class VtkHdfOutput<Dim>::Series {
     struct Member {
         const particles::FieldBase* field;
         std::uint64_t fingerprint = 0;
-        std::int64_t row = -1;           // where it was written last, -1: nowhere
+        bool taken = false;              // what the file has is what the fingerprint is of
         bool fingerprint_known = false;  // from the run that this one goes on with
+        std::int64_t row = 0;            // where it was written last; for the thread that writes
     };
 
-    void create() {
-        makeLayout();
+    void create(std::size_t points) {
+        makeLayout(points);
         file_ = SafeFile::create(path_);
     }
 
-    void makeLayout() {
+    void makeLayout(std::size_t points) {
         std::vector<VtkHdfArray> arrays;
         for (const Member& member : members_) {
             const particles::FieldInfo& info = member.field->info();
@@ -107,12 +129,11 @@ class VtkHdfOutput<Dim>::Series {
                                 {"description", std::string(info.doc)}};
             arrays.push_back(std::move(array));
         }
-        layout_ = std::make_unique<VtkHdfLayout>(std::move(arrays), body_->size());
+        layout_ = std::make_unique<VtkHdfLayout>(std::move(arrays), points);
         layout_->root().setAttributes(attributesOf(parameters_.provenance));
     }
 
     const FrameParameters& parameters_;
-    ArrayGatherer<Dim> gatherer_;
     const bodies::Body<Dim>* body_;
     Path path_;
     std::vector<Member> members_;  // the first one is the position
@@ -138,9 +159,18 @@ std::vector<OutputFile> VtkHdfOutput<Dim>::files() const {
 }
 
 template <int Dim>
-void VtkHdfOutput<Dim>::write(const Clock& clock) {
-    for (auto& series : series_) series->write(clock, frames_);
-    ++frames_;
+FileWork VtkHdfOutput<Dim>::take(const Clock& clock) {
+    auto frames = std::make_shared<std::vector<typename Series::Frame>>();
+    std::size_t bytes = 0;
+    for (auto& series : series_) {
+        frames->push_back(series->take());
+        bytes += frames->back().bytes;
+    }
+    return {[this, frames, time = clock.time, number = frames_++] {
+                for (std::size_t k = 0; k < series_.size(); ++k)
+                    series_[k]->write((*frames)[k], time, number);
+            },
+            bytes};
 }
 
 template <int Dim>

@@ -22,7 +22,7 @@ class VtkHdfOutput final : public Output {
     ~VtkHdfOutput() override;
 
     std::vector<OutputFile> files() const override;
-    void write(const Clock& clock) override;
+    FileWork take(const Clock& clock) override;
     void transfer(Archive& archive) override;
     /// If the fields of a body changed since its file was begun, the old file is kept as
     /// BODY.before_STEP.vtkhdf and a new one begun.

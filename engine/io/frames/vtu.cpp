@@ -126,10 +126,11 @@ struct VtuOutput<Dim>::Series {
     const bodies::Body<Dim>* body = nullptr;
     const particles::FieldBase* position = nullptr;
     std::vector<const particles::FieldBase*> fields;
-    VertexCells cells;
-    std::vector<PvdEntry> entries;
     std::uint64_t last_fingerprint = 0;
     std::string last_file;  // empty: none yet
+    // For the thread that writes:
+    VertexCells cells;
+    std::vector<PvdEntry> entries;
 
     /// Of what a frame would hold: a resumed run may write other fields in another precision.
     std::uint64_t fingerprint(bool single_precision, const particles::IdOrder& order) const {
@@ -152,10 +153,17 @@ struct VtuOutput<Dim>::Series {
     }
 };
 
+/// The arrays of a body, if they have changed, and the file that has them.
+template <int Dim>
+struct VtuOutput<Dim>::Frame {
+    std::string file;
+    std::size_t points = 0;
+    std::vector<ArrayCopy> arrays;  // the fields, then the position; none: the file is there
+};
+
 template <int Dim>
 VtuOutput<Dim>::VtuOutput(FrameParameters parameters, std::vector<BodyFrames<Dim>> bodies)
-    : parameters_(std::move(parameters)),
-      gatherer_(FieldLayout::padded, parameters_.single_precision) {
+    : parameters_(std::move(parameters)) {
     for (const BodyFrames<Dim>& frames : bodies) {
         auto series = std::make_unique<Series>();
         series->body = frames.body;
@@ -181,27 +189,50 @@ std::vector<OutputFile> VtuOutput<Dim>::files() const {
 }
 
 template <int Dim>
-void VtuOutput<Dim>::write(const Clock& clock) {
+FileWork VtuOutput<Dim>::take(const Clock& clock) {
+    auto frames = std::make_shared<std::vector<Frame>>();
+    std::size_t bytes = 0;
     for (auto& series : series_) {
+        Frame& frame = frames->emplace_back();
         const particles::IdOrder order(series->body->particles);
         const std::uint64_t now = series->fingerprint(parameters_.single_precision, order);
         if (series->last_file.empty() || now != series->last_fingerprint) {
-            const std::string name = frameName(series->body->name, frames_, ".vtu");
-            writeFrame(*series, order, parameters_.folder / name, clock.time);
-            series->last_file = name;
+            series->last_file = frameName(series->body->name, frames_, ".vtu");
             series->last_fingerprint = now;
+            frame.points = order.size();
+            const auto add = [&](const particles::FieldBase& field) {
+                frame.arrays.push_back(copyArray<Dim>(field, order, FieldLayout::padded,
+                                                      parameters_.single_precision));
+            };
+            for (const particles::FieldBase* field : series->fields) add(*field);
+            add(*series->position);
+            for (const ArrayCopy& array : frame.arrays) bytes += array.values.size();
         }
-        series->entries.push_back({frames_, clock.time, series->last_file});
-        writePvd(parameters_.folder / (series->body->name + ".pvd"), series->entries,
-                 parameters_.provenance);
+        frame.file = series->last_file;
     }
-    ++frames_;
+    return {[this, frames, time = clock.time, number = frames_++] {
+                writeFrames(*frames, time, number);
+            },
+            bytes};
 }
 
 template <int Dim>
-void VtuOutput<Dim>::writeFrame(Series& series, const particles::IdOrder& order, const Path& path,
-                                double time) {
-    const std::size_t n = order.size();
+void VtuOutput<Dim>::writeFrames(const std::vector<Frame>& frames, double time,
+                                 std::int64_t number) {
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+        Series& series = *series_[k];
+        const Frame& frame = frames[k];
+        if (!frame.arrays.empty()) writeFrame(series, frame, time);
+        series.entries.push_back({number, time, frame.file});
+        const Path list = parameters_.folder / (series.body->name + ".pvd");
+        publishFile(list, pvdText(series.entries, parameters_.provenance));
+        unsynced_.add(list);
+    }
+}
+
+template <int Dim>
+void VtuOutput<Dim>::writeFrame(Series& series, const Frame& frame, double time) {
+    const std::size_t n = frame.points;
     const auto type = [&](const particles::FieldBase& field) {
         return typeName(numberType(field.info(), parameters_.single_precision));
     };
@@ -231,17 +262,17 @@ void VtuOutput<Dim>::writeFrame(Series& series, const particles::IdOrder& order,
     header.array("UInt8", "types", 1, "");
     header.text("</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
 
+    const Path path = parameters_.folder / frame.file;
     AtomicFile file(path);
     Appender appender(file, header);
-    for (const particles::FieldBase* field : series.fields)
-        appender.add(encode(gatherer_.gather(*field, order).bytes));
-    appender.add(encode(gatherer_.gather(*series.position, order).bytes));
+    for (const ArrayCopy& array : frame.arrays) appender.add(encode(array.bytes()));
     series.cells.update(n);
     appender.add(series.cells.connectivity);
     appender.add(series.cells.offsets);
     appender.add(series.cells.types);
     file.write("\n</AppendedData>\n</VTKFile>\n");
-    file.commit();
+    file.publish();
+    unsynced_.add(path);
 }
 
 template <int Dim>
@@ -264,7 +295,7 @@ void VtuOutput<Dim>::resume(const Clock&) {
         series->entries = readPvd(list);
         const auto beyond = [&](const PvdEntry& entry) { return entry.frame >= frames_; };
         if (std::erase_if(series->entries, beyond) > 0)
-            writePvd(list, series->entries, parameters_.provenance);
+            writeFileAtomically(list, pvdText(series->entries, parameters_.provenance));
         removeFramesFrom(parameters_.folder, name, ".vtu", frames_);
         // The results of a restart may begin in a folder of their own.
         if (!isThere(parameters_.folder / series->last_file)) series->last_file.clear();

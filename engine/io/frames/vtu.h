@@ -14,7 +14,8 @@ namespace sphinx::io {
 /// Frames for ParaView: one BODY_NNNNNN.vtu a frame (points with vertex cells, appended raw data in
 /// zlib blocks) and one BODY.pvd with their times. A body in which nothing changed since its last
 /// frame is not written again; the .pvd names the older file once more.
-/// Every file is complete or absent at any moment, and the .pvd names only complete ones.
+/// Every file is complete or absent at any moment, and the .pvd names only complete ones; a power
+/// failure may spoil those after the last restart, with which a run that goes on begins anew.
 template <int Dim>
 class VtuOutput final : public Output {
  public:
@@ -22,19 +23,23 @@ class VtuOutput final : public Output {
     ~VtuOutput() override;
 
     std::vector<OutputFile> files() const override;
-    void write(const Clock& clock) override;
+    FileWork take(const Clock& clock) override;
+    void sync() override { unsynced_.sync(); }
     void transfer(Archive& archive) override;
     void resume(const Clock& clock) override;
 
  private:
     struct Series;  // of one body
 
-    void writeFrame(Series& series, const particles::IdOrder& order, const Path& path, double time);
+    struct Frame;  // of one of them
+
+    void writeFrames(const std::vector<Frame>& frames, double time, std::int64_t number);
+    void writeFrame(Series& series, const Frame& frame, double time);
 
     FrameParameters parameters_;
-    ArrayGatherer<Dim> gatherer_;
     std::vector<std::unique_ptr<Series>> series_;
     std::int64_t frames_ = 0;
+    UnsyncedFiles unsynced_;
 };
 
 }  // namespace sphinx::io

@@ -43,15 +43,16 @@ std::string progressText(const Progress& progress, const std::string& time_unit)
     return text;
 }
 
-void ProgressOutput::write(const Clock&) {
+FileWork ProgressOutput::take(const Clock&) {
     const Progress now = progress_();
     const std::string text = progressText(now, parameters_.time_unit);
     if (!parameters_.live) {
         log::info(text);
-        return;
+        return {};
     }
     log::status(bar(now.fraction) + " " + text);
     log::fileOnly(text);
+    return {};
 }
 
 void ProgressOutput::finish() {

@@ -24,7 +24,7 @@ class ProgressOutput final : public Output {
     ProgressOutput(ProgressParameters parameters, std::function<Progress()> progress)
         : parameters_(std::move(parameters)), progress_(std::move(progress)) {}
 
-    void write(const Clock& clock) override;
+    FileWork take(const Clock& clock) override;
     void finish() override;
 
  private:

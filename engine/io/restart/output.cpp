@@ -3,6 +3,7 @@
 #include "io/restart/output.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace sphinx::io {
 
@@ -19,12 +20,25 @@ std::vector<OutputFile> RestartOutput<Dim>::files() const {
 }
 
 template <int Dim>
-void RestartOutput<Dim>::write(const Clock& clock) {
-    makeSubfolder(parameters_.folder);
-    RestartHeader& header = parameters_.header;
+FileWork RestartOutput<Dim>::take(const Clock& clock) {
+    RestartHeader header = parameters_.header;
     header.time = clock.time;
     header.steps = clock.steps;
-    writeRestart(parameters_.folder / restartName(header), header, state_, bodies_,
+    auto bodies = std::make_shared<std::vector<TakenBody>>();
+    std::size_t bytes = 0;
+    for (const RestartBody<Dim>& body : bodies_) {
+        bodies->push_back(takeBody(body));
+        for (const TakenField& field : bodies->back().fields) bytes += field.values.size();
+    }
+    return {[this, header, text = stateText(state_), bodies] { writeTaken(header, text, *bodies); },
+            bytes};
+}
+
+template <int Dim>
+void RestartOutput<Dim>::writeTaken(const RestartHeader& header, const std::string& state_text,
+                                    const std::vector<TakenBody>& bodies) const {
+    makeSubfolder(parameters_.folder);
+    writeRestart(parameters_.folder / restartName(header), header, state_text, bodies,
                  parameters_.encoding);
     std::vector<Path> written = existing();
     for (std::size_t k = static_cast<std::size_t>(parameters_.keep); k < written.size(); ++k)

@@ -27,11 +27,13 @@ class RestartOutput final : public Output {
                   StateTransfer state);
 
     std::vector<OutputFile> files() const override;
-    void write(const Clock& clock) override;
+    FileWork take(const Clock& clock) override;
     /// Removes restarts of later steps than the resumed one, and unfinished ones.
     void resume(const Clock& clock) override;
 
  private:
+    void writeTaken(const RestartHeader& header, const std::string& state_text,
+                    const std::vector<TakenBody>& bodies) const;
     std::vector<Path> existing() const;
 
     RestartParameters parameters_;

@@ -58,6 +58,24 @@ template <int Dim>
 void writeRestart(const Path& path, const RestartHeader& header, const std::string& state_text,
                   const std::vector<RestartBody<Dim>>& bodies, RestartEncoding encoding);
 
+/// The fields of a body as a restart has them, in memory of their own.
+struct TakenField {
+    particles::FieldInfo info;
+    int components = 1;
+    AlignedVector<char> values;  ///< 8 bytes each, particles by ascending id
+};
+struct TakenBody {
+    std::string name;
+    std::size_t particles = 0;
+    std::int64_t next_id = 0;
+    std::vector<TakenField> fields;  ///< id, position, then the others
+};
+template <int Dim>
+TakenBody takeBody(const RestartBody<Dim>& body);
+/// The same with bodies that were taken before, too.
+void writeRestart(const Path& path, const RestartHeader& header, const std::string& state_text,
+                  const std::vector<TakenBody>& bodies, RestartEncoding encoding);
+
 /// What a restart says of the state.
 std::string stateText(const StateTransfer& state);
 /// NAME_STEPS.xml

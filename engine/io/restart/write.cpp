@@ -48,14 +48,12 @@ const char* rankName(particles::Rank rank) {
     return "integer";
 }
 
-void writeField(Stream& stream, const particles::FieldBase& field, const particles::IdOrder& order,
-                RestartEncoding encoding) {
-    const bool integers = field.info().rank == particles::Rank::integer;
-    stream.write("<field" + attribute("name", field.info().name) +
-                 attribute("rank", rankName(field.info().rank)) +
-                 attribute("components", std::to_string(field.components())) + ">\n");
-    AlignedVector<char> buffer;
-    const std::string_view bytes = order.bytes(field, buffer);
+void writeField(Stream& stream, const particles::FieldInfo& field, int components,
+                std::string_view bytes, RestartEncoding encoding) {
+    const bool integers = field.rank == particles::Rank::integer;
+    stream.write("<field" + attribute("name", field.name) +
+                 attribute("rank", rankName(field.rank)) +
+                 attribute("components", std::to_string(components)) + ">\n");
     const std::size_t values = bytes.size() / 8;
     // A few pieces at a time: encoded by all threads, never all in memory.
     std::array<std::string, 8> pieces;
@@ -74,6 +72,66 @@ void writeField(Stream& stream, const particles::FieldBase& field, const particl
         for (const std::string& piece : pieces) stream.write(piece);
     }
     stream.write("</field>\n");
+}
+
+/// Fields of a body in the order of the file: ids first, from which a reader learns how many
+/// particles there really are.
+template <int Dim>
+std::vector<const particles::FieldBase*> fieldsOf(const RestartBody<Dim>& body) {
+    const particles::ParticleSet<Dim>& particles = body.body->particles;
+    std::vector<const particles::FieldBase*> result{&particles.id(), &particles.position()};
+    for (const std::string& name : body.fields)
+        if (const auto* field = particles.find(name);
+            std::find(result.begin(), result.end(), field) == result.end())
+            result.push_back(field);
+    return result;
+}
+
+std::string bodyElement(const std::string& name, std::size_t particles, std::int64_t next_id) {
+    return "<body" + attribute("name", name) + attribute("particles", std::to_string(particles)) +
+           attribute("next_id", std::to_string(next_id)) + ">\n";
+}
+
+template <int Dim>
+void writeBody(Stream& stream, const RestartBody<Dim>& entry, RestartEncoding encoding) {
+    const particles::ParticleSet<Dim>& particles = entry.body->particles;
+    const particles::IdOrder order(particles);
+    stream.write(bodyElement(entry.body->name, particles.size(), particles.nextId()));
+    AlignedVector<char> buffer;
+    for (const particles::FieldBase* field : fieldsOf(entry))
+        writeField(stream, field->info(), field->components(), order.bytes(*field, buffer),
+                   encoding);
+    stream.write("</body>\n");
+}
+
+void writeBody(Stream& stream, const TakenBody& body, RestartEncoding encoding) {
+    stream.write(bodyElement(body.name, body.particles, body.next_id));
+    for (const TakenField& field : body.fields)
+        writeField(stream, field.info, field.components, {field.values.data(), field.values.size()},
+                   encoding);
+    stream.write("</body>\n");
+}
+
+template <class Bodies>
+void writeFile(const Path& path, const RestartHeader& header, const std::string& state_text,
+               const Bodies& bodies, RestartEncoding encoding) {
+    Stream stream(path);
+    stream.write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<restart" +
+                 attribute("format", std::to_string(restart_format)) +
+                 attribute("program", header.program) + attribute("commit", header.commit) +
+                 attribute("case", header.case_name) + attribute("digest", header.digest) +
+                 attribute("dimension", std::to_string(header.dimension)) +
+                 attribute("instruction_set", header.instruction_set));
+    for (const auto& [name, value] : header.build_and_machine.entries)
+        stream.write(attribute(name, value));
+    std::string text = " time=\"";
+    appendExactNumber(text, header.time);
+    text += "\"" + attribute("steps", std::to_string(header.steps)) + ">\n";
+    appendTextElement(text, "case_text", "", header.case_text);
+    stream.write(text);
+    stream.write("<state>\n" + state_text + "</state>\n");
+    for (const auto& body : bodies) writeBody(stream, body, encoding);
+    stream.finish();
 }
 
 }  // namespace
@@ -101,37 +159,22 @@ void writeRestart(const Path& path, const RestartHeader& header, const StateTran
 template <int Dim>
 void writeRestart(const Path& path, const RestartHeader& header, const std::string& state_text,
                   const std::vector<RestartBody<Dim>>& bodies, RestartEncoding encoding) {
-    Stream stream(path);
-    stream.write("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<restart" +
-                 attribute("format", std::to_string(restart_format)) +
-                 attribute("program", header.program) + attribute("commit", header.commit) +
-                 attribute("case", header.case_name) + attribute("digest", header.digest) +
-                 attribute("dimension", std::to_string(header.dimension)) +
-                 attribute("instruction_set", header.instruction_set));
-    for (const auto& [name, value] : header.build_and_machine.entries)
-        stream.write(attribute(name, value));
-    std::string text = " time=\"";
-    appendExactNumber(text, header.time);
-    text += "\"" + attribute("steps", std::to_string(header.steps)) + ">\n";
-    appendTextElement(text, "case_text", "", header.case_text);
-    stream.write(text);
-    stream.write("<state>\n" + state_text + "</state>\n");
-    for (const RestartBody<Dim>& entry : bodies) {
-        const particles::ParticleSet<Dim>& particles = entry.body->particles;
-        const particles::IdOrder order(particles);
-        stream.write("<body" + attribute("name", entry.body->name) +
-                     attribute("particles", std::to_string(particles.size())) +
-                     attribute("next_id", std::to_string(particles.nextId())) + ">\n");
-        // Ids first: a reader learns from them how many particles there really are.
-        std::vector<std::string> names{std::string(fields::id.name),
-                                       std::string(fields::position.name)};
-        for (const std::string& name : entry.fields)
-            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-        for (const std::string& name : names)
-            writeField(stream, *particles.find(name), order, encoding);
-        stream.write("</body>\n");
-    }
-    stream.finish();
+    writeFile(path, header, state_text, bodies, encoding);
+}
+
+void writeRestart(const Path& path, const RestartHeader& header, const std::string& state_text,
+                  const std::vector<TakenBody>& bodies, RestartEncoding encoding) {
+    writeFile(path, header, state_text, bodies, encoding);
+}
+
+template <int Dim>
+TakenBody takeBody(const RestartBody<Dim>& body) {
+    const particles::ParticleSet<Dim>& particles = body.body->particles;
+    const particles::IdOrder order(particles);
+    TakenBody taken{body.body->name, particles.size(), particles.nextId(), {}};
+    for (const particles::FieldBase* field : fieldsOf(body))
+        taken.fields.push_back({field->info(), field->components(), order.copy(*field)});
+    return taken;
 }
 
 template void writeRestart(const Path&, const RestartHeader&, const StateTransfer&,
@@ -142,5 +185,7 @@ template void writeRestart(const Path&, const RestartHeader&, const std::string&
                            const std::vector<RestartBody<2>>&, RestartEncoding);
 template void writeRestart(const Path&, const RestartHeader&, const std::string&,
                            const std::vector<RestartBody<3>>&, RestartEncoding);
+template TakenBody takeBody(const RestartBody<2>&);
+template TakenBody takeBody(const RestartBody<3>&);
 
 }  // namespace sphinx::io

@@ -96,7 +96,7 @@ RowsOutput::RowsOutput(SeriesParameters series, std::optional<std::string> layer
 
 RowsOutput::~RowsOutput() = default;
 
-void RowsOutput::write(const Clock& clock) { series_.write(clock); }
+FileWork RowsOutput::take(const Clock& clock) { return series_.take(clock); }
 void RowsOutput::sample(const Clock& clock) { rows_->add(clock); }
 void RowsOutput::transfer(Archive& archive) { series_.transfer(archive); }
 void RowsOutput::resume(const Clock& clock) { series_.resume(clock); }

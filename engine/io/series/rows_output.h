@@ -51,7 +51,7 @@ class RowsOutput final : public Output {
     ~RowsOutput() override;
 
     std::vector<OutputFile> files() const override { return series_.files(); }
-    void write(const Clock& clock) override;
+    FileWork take(const Clock& clock) override;
     void sync() override { series_.sync(); }
     std::optional<std::string> sampledLayer() const override { return layer_; }
     void sample(const Clock& clock) override;

@@ -11,9 +11,7 @@ namespace sphinx::io {
 SeriesOutput::SeriesOutput(SeriesParameters parameters, std::unique_ptr<SeriesSource> source)
     : name_(parameters.name), source_(std::move(source)) {
     const std::vector<SeriesQuantity>& quantities = source_->quantities();
-    std::size_t width = 1;
-    for (const SeriesQuantity& quantity : quantities) width += quantity.size();
-    row_.resize(width);
+    for (const SeriesQuantity& quantity : quantities) width_ += quantity.size();
     if (parameters.csv)
         csv_.emplace(parameters.folder / (parameters.name + ".csv"), parameters.time_unit,
                      quantities);
@@ -23,15 +21,19 @@ SeriesOutput::SeriesOutput(SeriesParameters parameters, std::unique_ptr<SeriesSo
 
 std::vector<OutputFile> SeriesOutput::files() const {
     constexpr double number = 28;  // decimals with a comma, and 64 bits in HDF5
-    return {{name_ + ".csv", number * static_cast<double>(row_.size())}};
+    return {{name_ + ".csv", number * static_cast<double>(width_)}};
 }
 
-void SeriesOutput::write(const Clock& clock) {
-    row_[0] = clock.time;
-    source_->sample(clock, std::span(row_).subspan(1));
-    if (csv_) csv_->append(row_);
-    if (hdf5_) hdf5_->append(row_);
+FileWork SeriesOutput::take(const Clock& clock) {
+    std::vector<double> row(width_);
+    row[0] = clock.time;
+    source_->sample(clock, std::span(row).subspan(1));
     ++rows_;
+    return {[this, row = std::move(row)] {
+                if (csv_) csv_->append(row);
+                if (hdf5_) hdf5_->append(row);
+            },
+            sizeof(double) * width_};
 }
 
 void SeriesOutput::transfer(Archive& archive) {

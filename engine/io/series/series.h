@@ -46,7 +46,7 @@ class SeriesOutput final : public Output {
     SeriesOutput(SeriesParameters parameters, std::unique_ptr<SeriesSource> source);
 
     std::vector<OutputFile> files() const override;
-    void write(const Clock& clock) override;
+    FileWork take(const Clock& clock) override;
     void sync() override;
     void transfer(Archive& archive) override;
     void resume(const Clock& clock) override;
@@ -57,8 +57,8 @@ class SeriesOutput final : public Output {
     std::unique_ptr<SeriesSource> source_;
     std::optional<CsvSeries> csv_;
     std::optional<Hdf5Series> hdf5_;
-    std::vector<double> row_;  // time first
-    std::int64_t rows_ = 0;    // written since the series began
+    std::size_t width_ = 1;  // of a row, time first
+    std::int64_t rows_ = 0;  // taken since the series began
 };
 
 }  // namespace sphinx::io

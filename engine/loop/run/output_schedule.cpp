@@ -10,8 +10,8 @@ namespace sphinx::loop {
 OutputSchedule::OutputSchedule(const std::vector<OutputEntry>& outputs, LayerRun& outermost)
     : outermost_(outermost) {
     for (const OutputEntry& entry : outputs) {
-        EntryRun run{entry, Multiples(entry.every ? entry.every->interval : 1), nullptr, false, -1,
-                     {}};
+        EntryRun run{
+            entry, Multiples(entry.every ? entry.every->interval : 1), nullptr, false, -1, {}, {}};
         if (entry.every) run.counting = &outermost.find(entry.every->layer)->clock();
         startTrigger(run);
         entries_.push_back(std::move(run));
@@ -72,7 +72,10 @@ void OutputSchedule::writeDue(double wall_seconds, bool last) {
         }
         any = any || due[k];
     }
-    if (any) write(due);
+    if (any)
+        write(due);
+    else
+        writer_.check();
 }
 
 void OutputSchedule::writeLast() { write(std::vector<bool>(entries_.size(), true)); }
@@ -83,29 +86,53 @@ void OutputSchedule::writeRestarts() {
     write(due);
 }
 
+void OutputSchedule::syncLater() {
+    writer_.add(
+        [this] {
+            watch_();
+            for (EntryRun& run : entries_) run.entry.output->sync();
+        },
+        0);
+}
+
 void OutputSchedule::sync() {
-    for (EntryRun& run : entries_) run.entry.output->sync();
+    syncLater();
+    writer_.finish();
 }
 
 bool OutputSchedule::restartDue(const std::vector<bool>& due) const {
+    const std::int64_t now = outermost_.clock().steps;
     for (std::size_t k = 0; k < entries_.size(); ++k)
-        if (due[k] && entries_[k].entry.restart) return true;
+        if (due[k] && entries_[k].entry.restart && entries_[k].last_step != now) return true;
     return false;
 }
 
 void OutputSchedule::write(const std::vector<bool>& due) {
     const Clock& clock = outermost_.clock();
     for (const bool restart : {false, true}) {
-        if (restart && restartDue(due)) sync();
+        if (restart && restartDue(due)) syncLater();
         for (std::size_t k = 0; k < entries_.size(); ++k) {
             EntryRun& run = entries_[k];
             if (!due[k] || run.entry.restart != restart || run.last_step == clock.steps) continue;
             // Set before: the restart being written must know that it has been.
             run.last_step = clock.steps;
-            const TimedCall timed(run.tally);
-            run.entry.output->write(clock);
+            writeLater(run, clock);
         }
     }
+}
+
+void OutputSchedule::writeLater(EntryRun& run, const Clock& clock) {
+    const TimedCall timed(run.tally);
+    writer_.waitForRoom();
+    FileWork work = run.entry.output->take(clock);
+    if (!work.write) return;
+    writer_.add(
+        [this, &run, write = std::move(work.write)] {
+            watch_();
+            const TimedCall writing(run.writing);
+            write();
+        },
+        work.bytes);
 }
 
 void OutputSchedule::resume() {
@@ -120,6 +147,7 @@ void OutputSchedule::leaveFolder() {
 }
 
 void OutputSchedule::finish() {
+    writer_.finish();
     for (EntryRun& run : entries_) run.entry.output->finish();
 }
 

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/writer.h"
 #include "loop/run/layer_run.h"
 
+#include <functional>
 #include <vector>
 
 namespace sphinx::loop {
 
 /// Decides when each output writes: at the start, after the first outermost step that reaches a
-/// multiple of its interval, at the end; never twice at the same step. Lets outputs sample.
+/// multiple of its interval, at the end; never twice at the same step. Lets outputs sample. What
+/// they take at their moment is written by another thread while the next steps run; a failure
+/// passes through the next call of any function here that writes.
 class OutputSchedule {
  public:
     struct EntryRun {
@@ -18,7 +22,8 @@ class OutputSchedule {
         const Clock* counting = nullptr;  ///< of the layer whose steps count
         bool samples_steps = false;       ///< after outermost steps
         std::int64_t last_step = -1;      ///< outermost steps at the last write; -1: none yet
-        Tally tally;
+        Tally tally;                      ///< of sampling and taking
+        Tally writing;                    ///< of writing, on the other thread
     };
 
     /// The layers will call this object while they run.
@@ -36,13 +41,16 @@ class OutputSchedule {
     /// A run that is stopped early writes its restarts only: any other frame would be missing in
     /// an uninterrupted run.
     void writeRestarts();
-    /// What is written is on the disk.
+    /// All is written and on the disk.
     void sync();
+    /// Called by the thread that writes before each piece of its work; what it throws is a failure.
+    void watchWrites(std::function<void()> watch) { watch_ = std::move(watch); }
 
     /// Tells every output that the run goes on from the present clock.
     void resume();
     /// After transfer(): the run goes on in another folder, in which nothing is written yet.
     void leaveFolder();
+    /// All is written, and the outputs know that it was the last.
     void finish();
 
     const std::vector<EntryRun>& entries() const { return entries_; }
@@ -61,9 +69,13 @@ class OutputSchedule {
     bool restartDue(const std::vector<bool>& due) const;
     /// Writes the entries of `due` that have not written at this step, restarts last.
     void write(const std::vector<bool>& due);
+    void writeLater(EntryRun& run, const Clock& clock);
+    void syncLater();
 
     const LayerRun& outermost_;
     std::vector<EntryRun> entries_;
+    std::function<void()> watch_ = [] {};
+    Writer writer_;  // ends first: what it does is of the entries
 };
 
 }  // namespace sphinx::loop

@@ -60,17 +60,18 @@ void collectRows(const std::vector<ProfileLine>& lines, std::size_t depth, std::
 }  // namespace
 
 void setShares(Profile& profile) {
-    for (auto* lines : {&profile.lines, &profile.start, &profile.outputs})
+    for (auto* lines : {&profile.lines, &profile.start, &profile.outputs, &profile.writing})
         setShares(*lines, profile.loop_seconds);
 }
 
 std::vector<std::string> profileTable(const Profile& profile) {
-    std::vector<Row> loop, start, outputs;
+    std::vector<Row> loop, start, outputs, writing;
     collectRows(profile.lines, 0, loop);
     collectRows(profile.start, 1, start);
     collectRows(profile.outputs, 1, outputs);
+    collectRows(profile.writing, 1, writing);
     std::size_t width = 24;
-    for (const auto* rows : {&loop, &start, &outputs})
+    for (const auto* rows : {&loop, &start, &outputs, &writing})
         for (const Row& row : *rows) width = std::max(width, row.label.size());
 
     std::vector<std::string> table;
@@ -90,6 +91,7 @@ std::vector<std::string> profileTable(const Profile& profile) {
     };
     addGroup("start", profile.start_seconds, start);
     addGroup("outputs", profile.output_seconds, outputs);
+    addGroup("writing them meanwhile", profile.writing_seconds, writing);
     return table;
 }
 

@@ -42,10 +42,12 @@ std::string profileJson(const Profile& profile) {
     whole.set("loop_seconds", Node::number(profile.loop_seconds));
     whole.set("start_seconds", Node::number(profile.start_seconds));
     whole.set("output_seconds", Node::number(profile.output_seconds));
+    whole.set("writing_seconds", Node::number(profile.writing_seconds));
     whole.set("steps", std::move(steps));
     whole.set("lines", linesNode(profile.lines));
     whole.set("start", linesNode(profile.start));
     whole.set("outputs", linesNode(profile.outputs));
+    whole.set("writing", linesNode(profile.writing));
     return input::writeJson(whole);
 }
 

@@ -89,6 +89,9 @@ Profile Runner::profile() const {
     for (const OutputSchedule::EntryRun& run : outputs_.entries()) {
         profile.outputs.push_back(profileLine(run.entry.name, "output", run.tally));
         profile.output_seconds += profile.outputs.back().seconds;
+        if (run.writing.calls == 0) continue;
+        profile.writing.push_back(profileLine(run.entry.name, "writing", run.writing));
+        profile.writing_seconds += profile.writing.back().seconds;
     }
     setShares(profile);
     return profile;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace sphinx::loop {
 
@@ -35,6 +36,8 @@ class Runner {
     void end();
     /// OutputSchedule::sync
     void syncOutputs() { outputs_.sync(); }
+    /// OutputSchedule::watchWrites
+    void watchWrites(std::function<void()> watch) { outputs_.watchWrites(std::move(watch)); }
 
     /// Clocks, triggers and outputs' own states. The state of methods and the particle fields are
     /// the caller's.

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "core/errors.h"
+#include "core/writer.h"
 #include "io/frames/hdf5.h"
 #include "io/frames/tecplot.h"
 #include "io/frames/vtkhdf.h"
 #include "io/frames/vtu.h"
 #include "io/hdf5/reader.h"
+#include "io/restart/output.h"
 #include "support.h"
 
 #include <catch2/catch.hpp>
+#include <map>
 
 // What other readers find in the files is tested in tests/regression/readers.
 
@@ -50,6 +53,59 @@ std::vector<std::string> names(const Path& folder) {
 }
 
 }  // namespace
+
+TEST_CASE("what is taken is written, whatever the particles do meanwhile") {
+    auto body = makeBody<2>("water", 30);
+    const std::vector<BodyFrames<2>> frames{{body.get(), {"velocity", "pressure", "strain"}}};
+    // Each with the bytes of all its files.
+    const auto contents = [&](const Path& folder, const auto& write) {
+        const auto results = std::make_shared<ResultsFile>(folder / "results.h5", Provenance{});
+        const FrameParameters parameters{folder, false, {}, {}};
+        RestartParameters restart;
+        restart.folder = folder / "restart";
+        restart.header.case_name = "tank";
+        std::vector<std::unique_ptr<Output>> outputs;
+        outputs.push_back(std::make_unique<VtuOutput<2>>(parameters, frames));
+        outputs.push_back(std::make_unique<VtkHdfOutput<2>>(parameters, frames));
+        outputs.push_back(std::make_unique<TecplotOutput<2>>(parameters, frames));
+        outputs.push_back(std::make_unique<Hdf5Output<2>>(Hdf5Parameters{}, results, frames));
+        outputs.push_back(std::make_unique<RestartOutput<2>>(
+            restart,
+            std::vector<RestartBody<2>>{{body.get(), {"velocity", "pressure", "mass", "strain"}}},
+            [&](Archive& archive) {
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const Section section(archive, std::to_string(k));
+                    outputs[k]->transfer(archive);
+                }
+            }));
+        write(outputs);
+        std::map<std::string, std::string> bytes;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+            if (entry.is_regular_file())
+                bytes[entry.path().filename()] = readFile(entry.path(), 10'000'000);
+        return bytes;
+    };
+    const TemporaryFolder in_line, later;
+    const auto expected = contents(in_line.path(), [&](const auto& outputs) {
+        for (int frame = 0; frame < 4; ++frame) {
+            setValues(*body, frame / 2);  // also frames in which nothing has changed
+            for (const auto& output : outputs) output->write(clockOf(frame));
+        }
+    });
+    const auto found = contents(later.path(), [&](const auto& outputs) {
+        std::vector<FileWork> works;
+        for (int frame = 0; frame < 4; ++frame) {
+            setValues(*body, frame / 2);
+            for (const auto& output : outputs) works.push_back(output->take(clockOf(frame)));
+        }
+        setValues(*body, 100);
+        Writer writer;
+        for (const FileWork& work : works) writer.add(work.write, work.bytes);
+        writer.finish();
+    });
+    CHECK(expected.size() == 11);
+    CHECK(found == expected);
+}
 
 TEST_CASE("names of frames") {
     CHECK(frameName("water", 12, ".vtu") == "water_000012.vtu");

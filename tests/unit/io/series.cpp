@@ -133,8 +133,8 @@ TEST_CASE("a series with other quantities is kept beside the new one") {
 TEST_CASE("a CSV file is not overwritten, a half-written one is begun again") {
     TemporaryFolder folder;
     File::create(folder / "probe.csv").write(header.substr(0, 10));
+    CHECK_THROWS_WITH(Run(folder).write(0, 1), Catch::Contains("it exists already"));
     Run run(folder);
-    CHECK_THROWS_WITH(run.write(0, 1), Catch::Contains("it exists already"));
     run.output.resume(clockOf(0));
     run.write(1, 2);
     CHECK(csv(folder).starts_with(header + "0.1,nan"));

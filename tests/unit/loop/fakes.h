@@ -73,10 +73,11 @@ class RecordingOutput : public Output {
  public:
     RecordingOutput(std::string name, Journal& journal)
         : name_(std::move(name)), journal_(journal) {}
-    void write(const Clock& clock) override {
+    FileWork take(const Clock& clock) override {
         journal_.push_back({name_, clock.time, clock.dt, clock.steps});
         ++frames_;
-        if (on_write) on_write();
+        if (on_take) on_take();
+        return {on_write};
     }
     void transfer(Archive& archive) override { archive.value("frames", frames_); }
     void resume(const Clock& clock) override {
@@ -85,7 +86,8 @@ class RecordingOutput : public Output {
     void finish() override { ++finished; }
 
     std::int64_t frames() const { return frames_; }
-    std::function<void()> on_write;
+    std::function<void()> on_take;
+    std::function<void()> on_write;  // by the thread that writes
     int finished = 0;
 
  private:

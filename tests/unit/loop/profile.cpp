@@ -36,6 +36,7 @@ Profile plain() {
     profile.loop_seconds = 8;
     profile.start_seconds = 0.5;
     profile.output_seconds = 1;
+    profile.writing_seconds = 2;
     profile.steps = {{"advection", 10}, {"acoustic", 50}};
     const ProfileLine dt{"acoustic_dt", "time_step", 50, 1, 2.0, 0, {}};
     const ProfileLine half{"pressure \"relaxation\"", "call", 50, 4, 16.5, 0, {}};
@@ -43,6 +44,7 @@ Profile plain() {
     profile.lines = {{"advection", "layer", 10, 8, {}, 0, {acoustic}}};
     profile.start = {{"neighbors", "start", 1, 0.5, 100.0, 0, {}}};
     profile.outputs = {{"fields", "output", 3, 1, {}, 0, {}}};
+    profile.writing = {{"fields", "writing", 3, 2, {}, 0, {}}};
     setShares(profile);
     return profile;
 }
@@ -58,7 +60,8 @@ TEST_CASE("the profile has the shape of the loop, and its times add up") {
     });
     Journal journal;
     RecordingOutput output("frames", journal);
-    output.on_write = [] { sleepFor(300); };
+    output.on_take = [] { sleepFor(300); };
+    output.on_write = [] { sleepFor(200); };
     Plan plan;
     plan.end_time = 5;
     plan.start = {acting("lists", short_call)};
@@ -109,6 +112,8 @@ TEST_CASE("the profile has the shape of the loop, and its times add up") {
     // Outputs and start stand beside the loop.
     CHECK(profile.outputs[0].calls == 6);
     CHECK(profile.output_seconds >= 6 * 300e-6);
+    CHECK(profile.writing[0].calls == 6);
+    CHECK(profile.writing_seconds >= 6 * 200e-6);
     CHECK(profile.start[0].calls == 1);
     CHECK(profile.start_seconds >= 200e-6);
     CHECK(profile.finished);
@@ -126,7 +131,9 @@ TEST_CASE("the profile as a table") {
           "start                                        0.500\n"
           "  neighbors                         1        0.500        100.0     6.2%\n"
           "outputs                                      1.000\n"
-          "  fields                            3        1.000                 12.5%\n");
+          "  fields                            3        1.000                 12.5%\n"
+          "writing them meanwhile                       2.000\n"
+          "  fields                            3        2.000                 25.0%\n");
 }
 
 TEST_CASE("the profile as JSON") {
@@ -137,6 +144,7 @@ TEST_CASE("the profile as JSON") {
   "loop_seconds": 8,
   "start_seconds": 0.5,
   "output_seconds": 1,
+  "writing_seconds": 2,
   "steps": {
     "advection": 10,
     "acoustic": 50
@@ -173,6 +181,17 @@ TEST_CASE("the profile as JSON") {
       "seconds": 1,
       "ns_per_particle": null,
       "share": 0.125,
+      "lines": []
+    }
+  ],
+  "writing": [
+    {
+      "label": "fields",
+      "kind": "writing",
+      "calls": 3,
+      "seconds": 2,
+      "ns_per_particle": null,
+      "share": 0.25,
       "lines": []
     }
   ]

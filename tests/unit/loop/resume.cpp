@@ -72,7 +72,7 @@ struct Run {
                         {"fields", "vtu", &fields, fields_trigger, false},
                         {"probe", "observe", &probe, eachSteps(5, "middle"), false}};
         runner = std::make_unique<Runner>(plan);
-        restart.on_write = [this] { checkpoints.push_back(checkpoint()); };
+        restart.on_take = [this] { checkpoints.push_back(checkpoint()); };
     }
 
     void load(const Checkpoint& from) {

@@ -6,8 +6,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
 
 using namespace sphinx;
 using namespace sphinx::loop;
@@ -118,7 +122,7 @@ TEST_CASE("restarts are written last, not at the start, and know of their own wr
                            {"frame", "vtu", &frame, eachSteps(1), false}});
     Runner runner(plan);
     std::vector<Saved> saved;
-    restart.on_write = [&] {
+    restart.on_take = [&] {
         MemoryArchive archive;
         runner.transfer(archive);
         saved.push_back(archive.saved);
@@ -135,6 +139,53 @@ TEST_CASE("restarts are written last, not at the start, and know of their own wr
     CHECK(std::get<std::int64_t>(saved[0]["outputs/frame/state/frames"]) == 2);
     CHECK(std::get<std::int64_t>(saved[0]["outputs/restart/next"]) == 2);
     CHECK(std::get<std::int64_t>(saved[0]["outputs/restart/last_step"]) == 1);
+}
+
+TEST_CASE("what outputs take is written in order, while steps go on") {
+    Journal journal;
+    RecordingOutput restart("restart", journal), frame("frame", journal);
+    std::vector<std::string> written;
+    std::atomic<bool> stepped = false;
+    frame.on_write = [&] {
+        // The first frame is written only when a step has been made since.
+        while (!stepped) std::this_thread::yield();
+        written.emplace_back("frame");
+    };
+    restart.on_write = [&] { written.emplace_back("restart"); };
+    Acting step([&](const Clock&) { stepped = true; });
+    Plan plan = planUntil(2, fixedLayer("outer", 1, {call("step", step)}),
+                          {{"restart", "restart", &restart, eachSteps(2), true},
+                           {"frame", "vtu", &frame, eachSteps(1), false}});
+    Runner runner(plan);
+    int watched = 0;
+    runner.watchWrites([&] { ++watched; });
+    runAll(runner, go_on);
+    CHECK(written == std::vector<std::string>{"frame", "frame", "frame", "restart"});
+    CHECK(watched == 5);  // and before what brings all to the disk
+}
+
+TEST_CASE("a write that fails ends the run before the next restart") {
+    Journal journal;
+    RecordingOutput restart("restart", journal), frame("frame", journal);
+    std::atomic<bool> failed = false;
+    int restarts = 0;
+    frame.on_write = [&] {
+        failed = true;
+        throw FileError("cannot write");
+    };
+    restart.on_write = [&] { ++restarts; };
+    // As long as it takes the other thread to fail.
+    Acting step([&](const Clock&) {
+        while (!failed) std::this_thread::yield();
+    });
+    Plan plan = planUntil(100, fixedLayer("outer", 1, {call("step", step)}),
+                          {{"restart", "restart", &restart, eachSteps(50), true},
+                           {"frame", "vtu", &frame, {}, false}});
+    Runner runner(plan);
+    CHECK_THROWS_AS(runAll(runner, go_on), FileError);
+    CHECK(runner.clock().steps < 50);
+    CHECK_THROWS_AS(runner.syncOutputs(), FileError);
+    CHECK(restarts == 0);
 }
 
 TEST_CASE("a hook stops the run; restarts are written, other outputs are not") {

@@ -33,7 +33,7 @@ void checkHolds(const ReferenceList<2>& list, const std::vector<Neighbor>& neigh
     const Index* index = list.indices(group);
     for (std::uint32_t b = 0; b < group.blocks; ++b)
         for (std::size_t lane = 0; lane < lane_count; ++lane) {
-            const auto& gradient = list.gradients(group)[b];
+            const auto& gradient = list.terms(group, b).gradient;
             CHECK(gradient[0][lane] == -gradient[1][lane]);
             if (gradient[0][lane] == 0) continue;
             const Index j = b < group.runs
