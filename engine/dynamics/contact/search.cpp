@@ -38,11 +38,7 @@ Box<Dim> boxAround(const Surface<Dim>& surface) {
 template <int Dim>
 Search<Dim>::Search(const Domain<Dim>& domain, const Surface<Dim>& a, const Surface<Dim>& b,
                     double reach)
-    : domain_(&domain),
-      a_{&a, {}, {}},
-      b_{&b, {}, {}},
-      reach_(reach),
-      relative_margin_(largest_margin) {}
+    : domain_(&domain), a_{&a}, b_{&b}, reach_(reach), relative_margin_(largest_margin) {}
 
 template <int Dim>
 void Search<Dim>::Lists::assign(const std::vector<std::vector<Index>>& found) {
@@ -70,6 +66,31 @@ double Search<Dim>::moved(const Seen& seen) const {
 }
 
 template <int Dim>
+double Search<Dim>::fastest(const Surface<Dim>& surface) const {
+    if (!surface.body().isElastic()) return 0;
+    const double speed =
+        maxAll(surface.size(), 0, [&](std::size_t n) { return surface.velocity(n).squaredNorm(); });
+    const materials::ElasticSolid& material = *surface.body().elastic().material;
+    return 2 * std::sqrt(speed) + std::sqrt(material.longitudinalModulus() / material.density());
+}
+
+template <int Dim>
+bool Search<Dim>::holds() {
+    if (margin_ < 0 || a_.places.size() != a_.surface->size() ||
+        b_.places.size() != b_.surface->size())
+        return false;
+    const double dt = std::max(a_.surface->dt(), b_.surface->dt());
+    left_ -= fastest_ * dt;
+    if (left_ >= 0 && isBounded(a_) && isBounded(b_)) return true;
+    left_ = margin_ - moved(a_) - moved(b_);
+    if (left_ < 0) return false;
+    fastest_ = fastest(*a_.surface) + fastest(*b_.surface);
+    left_ -= fastest_ * dt;
+    for (Seen* seen : {&a_, &b_}) seen->looked_at = seen->surface->version();
+    return true;
+}
+
+template <int Dim>
 double Search<Dim>::between() const {
     if (std::ranges::find(domain_->periodic, true) != domain_->periodic.end()) return 0;
     const Box<Dim> a = boxAround(*a_.surface);
@@ -79,8 +100,7 @@ double Search<Dim>::between() const {
 
 template <int Dim>
 void Search<Dim>::update() {
-    if (a_.places.size() == a_.surface->size() && b_.places.size() == b_.surface->size() &&
-        margin_ >= 0 && moved(a_) + moved(b_) <= margin_) {
+    if (holds()) {
         ++age_;
         return;
     }
@@ -95,6 +115,7 @@ void Search<Dim>::update() {
         seen->places.resize(surface.size());
         for (std::size_t n = 0; n < surface.size(); ++n) seen->places[n] = surface.place(n);
     }
+    left_ = -1;
 }
 
 template <int Dim>

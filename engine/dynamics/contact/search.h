@@ -54,10 +54,19 @@ class Search {
     struct Seen {
         const Surface<Dim>* surface;
         std::uint64_t version = ~std::uint64_t{0};
-        std::vector<Vec<Dim>> places;
+        std::uint64_t looked_at = ~std::uint64_t{0};  ///< version when somebody last looked
+        std::vector<Vec<Dim>> places{};
     };
     bool self() const { return a_.surface == b_.surface; }
+    /// Whether both surfaces still have all that may be near in the lists.
+    bool holds();
     double moved(const Seen& seen) const;
+    /// Of an elastic body a bound of the speed of its points for some steps; of another 0.
+    double fastest(const Surface<Dim>& surface) const;
+    /// What has no such bound has not moved since somebody looked.
+    bool isBounded(const Seen& seen) const {
+        return seen.surface->body().isElastic() || seen.looked_at == seen.surface->version();
+    }
     void build();
     /// How far apart the boxes around both are; 0 where the domain has images.
     double between() const;
@@ -68,6 +77,9 @@ class Search {
     double relative_margin_;
     double margin_ = -1;  // no lists yet
     int age_ = 0;         // of the lists, in steps
+    // Until both may have moved that far, nobody looks.
+    double left_ = -1;
+    double fastest_ = 0;
     Lists a_to_b_, b_to_a_;
 };
 

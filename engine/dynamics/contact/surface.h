@@ -52,6 +52,8 @@ class Surface {
         const Index i = particles_[n];
         return position_[i] + 0.5 * dt_ * velocity_[i];
     }
+    /// Of the step in whose middle places are.
+    double dt() const { return dt_; }
     const Vec<Dim>& velocity(std::size_t n) const { return velocity_[particles_[n]]; }
     double volume(std::size_t n) const { return volume_[particles_[n]]; }
     /// Takes the state of these points, to be read by [].
