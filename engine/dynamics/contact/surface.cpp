@@ -29,23 +29,26 @@ template <int Dim>
 struct Plane {
     Vec<Dim> normal;
     double distance;  // from a point below it
+    bool has_foot;    // of that point on the surface
 };
 
-/// The planes of faces whose feet from x, a point inside, are on the surface: that of the nearest
-/// face, and of those which are nearest a spacing beside. All as drawn.
+/// The planes of the face nearest to x, a point inside, and of those which are nearest a spacing
+/// beside. All as drawn.
 template <int Dim>
 std::vector<Plane<Dim>> facesAbove(const sphinx::geometry::Shape<Dim>& shape, const Vec<Dim>& x,
                                    double dp) {
     std::vector<Plane<Dim>> faces;
     const auto look = [&](const Vec<Dim>& y) {
         const Vec<Dim> n = shape.normal(y);
-        const Plane<Dim> plane{n, n.dot(y - x) - shape.signedDistance(y)};
+        const double distance = n.dot(y - x) - shape.signedDistance(y);
         const bool known = std::ranges::any_of(
             faces, [&](const Plane<Dim>& face) { return face.normal.dot(n) > 0.9; });
-        if (known || faces.size() == Dim || plane.distance >= 2 * dp) return;
+        if (known || faces.size() == Dim || distance >= 2 * dp) return;
         const Vec<Dim> foot = y - shape.signedDistance(y) * n;
         // Where faces are equally near, the normal is none of theirs.
-        if (std::abs(shape.signedDistance(foot)) < 1e-3 * dp) faces.push_back(plane);
+        if (std::abs(shape.signedDistance(foot)) >= 1e-3 * dp) return;
+        const bool has_foot = std::abs(shape.signedDistance(x + distance * n)) < 0.01 * dp;
+        faces.push_back({n, distance, has_foot});
     };
     look(x);
     const Vec<Dim> up = shape.normal(x);
@@ -119,32 +122,36 @@ void Surface<Dim>::find() {
     findFrame();
     // A row of a lattice that lies as deep by rounding is none.
     const double deepest = (1 - 1e-6) * deepest_;
+    std::vector<Index> near;
+    for (std::size_t i = 0; i < body_->size(); ++i)
+        if (depth_[i] < deepest && body_->hasMass(i)) near.push_back(static_cast<Index>(i));
+    struct Found {
+        std::vector<Plane<Dim>> faces;
+        Vec<Dim> edge = Vec<Dim>::Zero();  // from the particle; 0: none
+    };
+    std::vector<Found> found(near.size());
+    if (edges_ && (gradient_ || !frame_.empty()))
+        parallelFor(near.size(), [&](std::size_t m) {
+            const Vec<Dim>& x = initial_position_[near[m]];
+            found[m].faces = facesAbove(*body_->shape, x, body_->spacing);
+            found[m].edge = edgeOf(found[m].faces, *body_->shape, x, body_->spacing);
+        });
     // Rigid blocks tip about their edges. Where an elastic edge is crushed its particles bear, too.
     const double edge_share = gradient_ ? 0.5 : 1;
     std::vector<Index> edge_particles;
     std::vector<Vec<Dim>> edge_normals;
-    for (std::size_t k = 0; k < body_->size(); ++k) {
-        const auto i = static_cast<Index>(k);
-        if (depth_[i] >= deepest || !body_->hasMass(i)) continue;
+    for (std::size_t m = 0; m < near.size(); ++m) {
+        const Index i = near[m];
         const double area = volume_[i] / body_->spacing;
-        if (!edges_ || (!gradient_ && frame_.empty())) {
-            addFace(i, initial_normal_[i], depth_[i], area);
-            continue;
-        }
-        const Vec<Dim>& x = initial_position_[i];
-        const std::vector<Plane<Dim>> faces = facesAbove(*body_->shape, x, body_->spacing);
-        const Vec<Dim> arm = edgeOf(faces, *body_->shape, x, body_->spacing);
+        const auto& [faces, arm] = found[m];
         const bool at_edge = !arm.isZero(0);
-        std::size_t found = 0;
         Vec<Dim> mean = Vec<Dim>::Zero();
+        bool has_face = false;
         for (const Plane<Dim>& face : faces) {
             mean += face.normal;
-            const Vec<Dim> foot = x + face.distance * face.normal;
-            if (face.distance >= deepest ||
-                std::abs(body_->shape->signedDistance(foot)) > 0.01 * body_->spacing)
-                continue;
+            if (face.distance >= deepest || !face.has_foot) continue;
             addFace(i, face.normal, face.distance, area);
-            ++found;
+            has_face = true;
             if (!at_edge) continue;
             areas_.back() *= 1 - edge_share;
             Vec<Dim> others = Vec<Dim>::Zero();
@@ -154,7 +161,7 @@ void Surface<Dim>::find() {
             ends_.back() = static_cast<Index>(face_ends_.size());
             face_ends_.push_back({arm, others.normalized()});
         }
-        if (found == 0) addFace(i, initial_normal_[i], depth_[i], area);
+        if (!has_face) addFace(i, initial_normal_[i], depth_[i], area);
         if (!at_edge) continue;
         edge_particles.push_back(i);
         edge_normals.push_back(mean.normalized());
