@@ -158,9 +158,9 @@ void declareForce(input::Registry& registry) {
     d.summary("Keeps the surfaces of solids apart, with friction");
     d.formula(
         "pressure -kappa d ln(1 - abs(g)/d) where the gap g of two surfaces is negative: a layer "
-        "of "
-        "d = sum(dp/2) and 1/kappa = sum(dp/(2 M)) over the bodies that give way, M = rho0 c_P^2; "
-        "kappa abs(g) between rigid bodies; friction at most mu times the normal force, or that of "
+        "of d = sum(dp/2) and 1/kappa = sum(dp/(2 M)) over the bodies that give way, M = rho0 "
+        "c_P^2; kappa abs(g) between rigid bodies; friction at most mu times the normal force, or "
+        "that of "
         "a viscous layer");
     d.cite("guide", "(36), (37)").cite("Schwager & Poeschel 2007", "(restitution)");
     d.required("body", &P::body, input::bodyReference({"solid"}), "solid body");

@@ -19,8 +19,6 @@ constexpr double reach_of_spacing = 1.5;
 /// Cosine of the angle up to which a normal opposes another. A mean has no small weights: a floor
 /// beside the side of a box would meet the plane of that side in full as soon as the box leans.
 constexpr double least_opposed = 0.5;
-/// In spacings: what is deeper under another surface is on the far side of a thin body.
-constexpr double deepest = reach_of_spacing;
 /// In spacings: beyond an edge the plane of its face bends away by the square of the way over this.
 constexpr double bend_radius = 0.25;
 /// Of dp^(Dim-1): what sees less of the other surface bears less.
@@ -47,11 +45,7 @@ double dampingRatio(double restitution) {
 /// surfaces meet through it: with s = g/d, by kappa,
 ///   energy d^2 (s + (1 - s) ln(1 - s)), pressure -d ln(1 - s), stiffness 1/(1 - s);
 /// beyond s = 0.9 the stiffness stays.
-struct Layer {
-    double energy, pressure, stiffness;
-};
-
-Layer compressed(double g, double thickness) {
+Compression compressed(double g, double thickness) {
     if (thickness == 0) return {0.5 * g * g, g, 1};
     constexpr double most = 0.9;
     const double s = std::min(g / thickness, most), left = 1 - s, log = std::log1p(-s);
@@ -143,12 +137,12 @@ template <int Dim>
     seen.bend = (2 / (bend_radius * spacing_)) * past;
     seen.gap = seen.apart.dot(j.normal) + 0.5 * seen.bend * past;
     seen.normal = j.normal + seen.bend * j.beyond;
-    const LaneMask valid = (lane < static_cast<std::int64_t>(count)) & (near > 0) & (opposed > 0) &
-                           (seen.gap > -deepest * spacing_);
-    const Wide up = 1 + seen.gap * (1 / (deepest * spacing_));
+    const LaneMask valid = (lane < static_cast<std::int64_t>(count)) & (near > 0) & (opposed > 0);
+    // Not negative: a plane is no farther than its point.
+    const Wide up = 1 + seen.gap * (1 / this->reach_);
     const Wide up3 = up * up * up;
     const Wide bare = select(valid, j.area * near * near * up3, 0);
-    seen.rise = (4 / (deepest * spacing_)) * opposed * bare * near;
+    seen.rise = (4 / this->reach_) * opposed * bare * near;
     seen.bare = bare * near * up;
     seen.weight = opposed * seen.bare;
     seen.slope = (-6 / (this->reach_ * this->reach_) * opposed * bare * up) * seen.apart;
@@ -232,6 +226,7 @@ void SurfacePair<Dim>::meet(Side& side) {
             touch.turn = (sum(bare_gap) - share.gap * sum(bare)) / touch.weight;
             touch.by_place = sum(slope) + sum(risen);
             touch.by_normal = sum(bare);
+            touch.layer = compressed(-touch.gap, this->law_.thickness);
             const Eigen::Map<const Vec<Dim>> own(from[n].velocity);
             touch.velocity = own - sum(velocity) / touch.weight;
         } else {
@@ -278,11 +273,11 @@ void SurfacePair<Dim>::push(Side& side, double damping_time, double dt) {
         const double whole = least_weight * std::pow(from.body().spacing, Dim - 1);
         const double part = std::min(1.0, touch.weight / whole);
         const double seen = part * part * (3 - 2 * part);
-        const Layer layer = compressed(-touch.gap, this->law_.thickness);
         const double force =
-            seen * stiffness * area * std::max(0.0, damping_time * closing + layer.pressure);
+            seen * stiffness * area * std::max(0.0, damping_time * closing + touch.layer.pressure);
         side.shares[n].normal = force / touch.weight;
-        side.shares[n].fade = -6 * part * (1 - part) / whole * stiffness * area * layer.energy;
+        side.shares[n].fade =
+            -6 * part * (1 - part) / whole * stiffness * area * touch.layer.energy;
         const double length = touch.normal.norm();
         const Vec<Dim> normal = touch.normal / length;
         const auto along = [&](const Vec<Dim>& v) { return Vec<Dim>(v - v.dot(normal) * normal); };
@@ -377,8 +372,7 @@ void SurfacePair<Dim>::act(double dt) {
         this->stiffening_ = maxAll(active.size(), this->stiffening_, [&](std::size_t m) {
             const Touch& touch = side.touches[active[m]];
             if (touch.weight == 0) return 0.0;
-            return compressed(-touch.gap, this->law_.thickness).stiffness *
-                   side.from->leverage(active[m]);
+            return touch.layer.stiffness * side.from->leverage(active[m]);
         });
     }
     for (std::size_t s = 0; s < sides_.size(); ++s)

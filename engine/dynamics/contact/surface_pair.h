@@ -9,6 +9,11 @@
 
 namespace sphinx::dynamics::contact {
 
+/// A layer between two surfaces, by its stiffness: energy length^2, pressure length.
+struct Compression {
+    double energy = 0, pressure = 0, stiffness = 1;
+};
+
 /// A point i of one surface has from the other, of which the points j are in reach, the gap
 ///   g_i = sum_j w_ij g_ij / sum_j w_ij, g_ij = r_ij . n_j + s^2/b beyond an edge, s the way
 ///   beyond, w_ij = A_j (-n_i . n_j - 1/2) (1 - r_ij^2/R^2)^3 (1 + g_ij/R)^4,
@@ -48,6 +53,7 @@ class SurfacePair final : public Pair<Dim> {
         Vec<Dim> turn = Vec<Dim>::Zero();      // slope of the gap, by the normal of i
         Vec<Dim> by_place = Vec<Dim>::Zero();  // slopes of the weight
         Vec<Dim> by_normal = Vec<Dim>::Zero();
+        Compression layer;
     };
     /// What the points of the other surface that it meets have to know of it.
     struct alignas(32) Share {
