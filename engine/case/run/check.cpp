@@ -44,10 +44,10 @@ double memory(const bodies::World<Dim>& world) {
     for (const auto& body : world.bodies) {
         const auto n = static_cast<double>(body->size());
         sum += static_cast<double>(body->particles.bytes()) + 64 * n;
-        const std::size_t
-            block =  // of eight; on a lattice the gradients of a reference list are few
-            body->isElastic() ? 2 * sizeof(Index)
-                              : sizeof(typename neighbors::NeighborList<Dim>::Block);
+        // Of eight neighbors; on a lattice the gradients of a reference list are few.
+        const std::size_t block = body->isElastic()
+                                      ? 2 * sizeof(Index)
+                                      : sizeof(typename neighbors::NeighborList<Dim>::Block);
         for (const auto* other : body->sees)
             if (other == body.get())
                 sum += n * expectedNeighbors(*body, *other) * 1.25 / lane_count *

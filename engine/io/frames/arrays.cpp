@@ -119,6 +119,16 @@ std::uint64_t fieldFingerprint(const particles::FieldBase& field, const particle
     return fingerprint(order.bytes(field, buffer));
 }
 
+template <int Dim>
+std::optional<ArrayCopy> copyIfChanged(const particles::FieldBase& field,
+                                       const particles::IdOrder& order, FieldLayout layout,
+                                       bool single_precision, LastCopy& last) {
+    const std::uint64_t now = fieldFingerprint(field, order);
+    if (last.taken && now == last.fingerprint) return {};
+    last = {true, now};
+    return copyArray<Dim>(field, order, layout, single_precision);
+}
+
 std::string frameName(std::string_view body, std::int64_t frame, std::string_view extension) {
     std::string number = std::to_string(frame);
     if (number.size() < 6) number.insert(0, 6 - number.size(), '0');
@@ -158,5 +168,11 @@ template ArrayCopy copyArray<2>(const particles::FieldBase&, const particles::Id
                                 bool);
 template ArrayCopy copyArray<3>(const particles::FieldBase&, const particles::IdOrder&, FieldLayout,
                                 bool);
+template std::optional<ArrayCopy> copyIfChanged<2>(const particles::FieldBase&,
+                                                   const particles::IdOrder&, FieldLayout, bool,
+                                                   LastCopy&);
+template std::optional<ArrayCopy> copyIfChanged<3>(const particles::FieldBase&,
+                                                   const particles::IdOrder&, FieldLayout, bool,
+                                                   LastCopy&);
 
 }  // namespace sphinx::io

@@ -7,6 +7,8 @@
 #include "io/file/number_type.h"
 #include "particles/id_order.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +47,17 @@ enum class FieldLayout {
 template <int Dim>
 ArrayCopy copyArray(const particles::FieldBase& field, const particles::IdOrder& order,
                     FieldLayout layout, bool single_precision);
+
+/// What a file has of a field.
+struct LastCopy {
+    bool taken = false;  ///< by this process, or one that it goes on from
+    std::uint64_t fingerprint = 0;
+};
+/// The same, and remembers it, but nothing where the values are those of the last copy.
+template <int Dim>
+std::optional<ArrayCopy> copyIfChanged(const particles::FieldBase& field,
+                                       const particles::IdOrder& order, FieldLayout layout,
+                                       bool single_precision, LastCopy& last);
 
 /// Components of a field in that layout.
 template <int Dim>

@@ -14,8 +14,7 @@ template <int Dim>
 struct Hdf5Output<Dim>::Series {
     struct Member {
         const particles::FieldBase* field = nullptr;
-        bool taken = false;  // by this process
-        std::uint64_t fingerprint = 0;
+        LastCopy last{};
         std::shared_ptr<StoredNode> stored{};  // for the thread that writes, like all below
     };
 
@@ -104,14 +103,10 @@ FileWork Hdf5Output<Dim>::take(const Clock& clock) {
         const particles::IdOrder order(series->body->particles);
         frame.particles = order.size();
         for (auto& member : series->members) {
-            const std::uint64_t now = fieldFingerprint(*member.field, order);
-            std::optional<ArrayCopy>& array = frame.arrays.emplace_back();
-            if (member.taken && now == member.fingerprint) continue;
-            array = copyArray<Dim>(*member.field, order, FieldLayout::plain,
-                                   parameters_.single_precision);
-            member.taken = true;
-            member.fingerprint = now;
-            bytes += array->values.size();
+            const auto& array = frame.arrays.emplace_back(
+                copyIfChanged<Dim>(*member.field, order, FieldLayout::plain,
+                                   parameters_.single_precision, member.last));
+            if (array) bytes += array->values.size();
         }
     }
     return {[this, frames, clock, number = frames_++] { writeFrames(*frames, clock, number); },

@@ -36,14 +36,10 @@ class VtkHdfOutput<Dim>::Series {
         const particles::IdOrder order(body_->particles);
         frame.points = order.size();
         for (Member& member : members_) {
-            const std::uint64_t now = fieldFingerprint(*member.field, order);
-            std::optional<ArrayCopy>& array = frame.arrays.emplace_back();
-            if (member.taken && now == member.fingerprint) continue;
-            array = copyArray<Dim>(*member.field, order, FieldLayout::padded,
-                                   parameters_.single_precision);
-            member.taken = true;
-            member.fingerprint = now;
-            frame.bytes += array->values.size();
+            const auto& array = frame.arrays.emplace_back(
+                copyIfChanged<Dim>(*member.field, order, FieldLayout::padded,
+                                   parameters_.single_precision, member.last));
+            if (array) frame.bytes += array->values.size();
         }
         return frame;
     }
@@ -79,7 +75,7 @@ class VtkHdfOutput<Dim>::Series {
             for (std::size_t m = 0; m < last.rows.size(); ++m)
                 if (members_[m].fingerprint_known) {
                     members_[m].row = last.rows[m];
-                    members_[m].taken = true;
+                    members_[m].last.taken = true;
                 }
     }
 
@@ -96,9 +92,9 @@ class VtkHdfOutput<Dim>::Series {
         for (Member& member : members_) {
             const std::string_view name = member.field->info().name;
             if (!archive.has(name)) continue;  // a resumed run may write other fields
-            auto bits = std::bit_cast<std::int64_t>(member.fingerprint);
+            auto bits = std::bit_cast<std::int64_t>(member.last.fingerprint);
             archive.value(name, bits);
-            member.fingerprint = std::bit_cast<std::uint64_t>(bits);
+            member.last.fingerprint = std::bit_cast<std::uint64_t>(bits);
             member.fingerprint_known = true;
         }
     }
@@ -106,8 +102,7 @@ class VtkHdfOutput<Dim>::Series {
  private:
     struct Member {
         const particles::FieldBase* field;
-        std::uint64_t fingerprint = 0;
-        bool taken = false;              // what the file has is what the fingerprint is of
+        LastCopy last{};                 // taken: what the file has is what the fingerprint is of
         bool fingerprint_known = false;  // from the run that this one goes on with
         std::int64_t row = 0;            // where it was written last; for the thread that writes
     };
