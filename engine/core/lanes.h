@@ -18,6 +18,8 @@ namespace sphinx {
 /// becomes AVX-512, AVX2, SSE2 or NEON.
 using Lanes = double __attribute__((vector_size(64)));
 using FloatLanes = float __attribute__((vector_size(32)));
+/// The pairs of four particles with four others (core/tile.h).
+using FloatTile = float __attribute__((vector_size(64)));
 using HalfLanes = double __attribute__((vector_size(32)));
 using LaneMask = std::int64_t __attribute__((vector_size(64)));
 using WholeLanes = std::int32_t __attribute__((vector_size(32)));
@@ -70,6 +72,24 @@ inline void storeLanes(Lanes a, std::int32_t* p) {
 
 inline Lanes maxLanes(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Lanes minLanes(Lanes a, Lanes b) { return a < b ? a : b; }
+
+inline FloatTile tile(float a) { return FloatTile{a, a, a, a, a, a, a, a, a, a, a, a, a, a, a, a}; }
+inline FloatTile maxTile(FloatTile a, FloatTile b) {
+#if defined(__AVX512F__)
+    return reinterpret_cast<FloatTile>(
+        _mm512_maskz_max_ps(0xffff, reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b)));
+#else
+    return a > b ? a : b;
+#endif
+}
+inline FloatTile minTile(FloatTile a, FloatTile b) {
+#if defined(__AVX512F__)
+    return reinterpret_cast<FloatTile>(
+        _mm512_maskz_min_ps(0xffff, reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b)));
+#else
+    return a < b ? a : b;
+#endif
+}
 
 template <class V>
 inline V sqrtLanes(V a) {

@@ -14,6 +14,7 @@ using bodies::Domain;
 using bodies::World;
 using kernels::Kernel;
 using sphinx::neighbors::NeighborList;
+using sphinx::neighbors::PairTiles;
 using sphinx::neighbors::ReferenceList;
 using sphinx::neighbors::ReferenceRelation;
 using sphinx::neighbors::Relation;

@@ -122,6 +122,14 @@ void build(const CellGrid<Dim>& from, const CellGrid<Dim>& to, bool same,
                 candidates.clear();
                 for (const Vec<Dim>& shift : images.shifts())
                     collect(to, box_lower, box_upper, shift, candidates);
+                if (candidates.count == 0) {
+                    for (std::size_t s = begin; s < end; ++s) {
+                        const Index i = from.order()[s];
+                        list.ranges[i] = {next, 0, 0};
+                        if (list.keeps.kernel_sum) list.kernel_sum[i] = 0;
+                    }
+                    continue;
+                }
                 candidates.finish();
                 if (candidates.count > std::numeric_limits<std::uint16_t>::max())
                     throw PhysicsError("more than 65535 particles in the reach of one cell");

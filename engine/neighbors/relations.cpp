@@ -4,6 +4,7 @@
 
 #include "neighbors/common_kernel.h"
 #include "neighbors/list_builder.h"
+#include "neighbors/pair_tiles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,19 @@ Vec<Dim> onLattice(Vec<Dim> R, double spacing) {
 }
 
 }  // namespace
+
+/// The pairs of a fluid's own particles where they are now.
+template <int Dim>
+struct Relations<Dim>::OwnPairs {
+    const bodies::Body<Dim>* body = nullptr;
+    PairTiles<Dim> tiles;
+    std::uint64_t version = ~std::uint64_t{0};  ///< of the body when last built
+};
+
+template <int Dim>
+Relations<Dim>::Relations(bodies::World<Dim>& world) : world_(&world) {}
+template <int Dim>
+Relations<Dim>::~Relations() = default;
 
 template <int Dim>
 Relation<Dim>& Relations<Dim>::relation(Purpose purpose, const bodies::Body<Dim>& from,
@@ -65,6 +79,15 @@ void Relations<Dim>::update(Relation<Dim>& r) {
 }
 
 template <int Dim>
+const PairTiles<Dim>& Relations<Dim>::ownPairs(const bodies::Body<Dim>& body) {
+    for (const auto& own : own_pairs_)
+        if (own->body == &body) return own->tiles;
+    own_pairs_.push_back(std::make_unique<OwnPairs>());
+    own_pairs_.back()->body = &body;
+    return own_pairs_.back()->tiles;
+}
+
+template <int Dim>
 void Relations<Dim>::update(const std::vector<bodies::Body<Dim>*>& bodies) {
     const auto named = [&](const bodies::Body<Dim>* body) {
         return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
@@ -72,6 +95,12 @@ void Relations<Dim>::update(const std::vector<bodies::Body<Dim>*>& bodies) {
     for (const auto& r : relations_) {
         if (r->purpose != Purpose::flow) continue;
         if (named(r->from) || named(r->to)) update(*r);
+    }
+    for (const auto& own : own_pairs_) {
+        if (!named(own->body) || own->version == own->body->version) continue;
+        own->tiles.build(own->body->particles.position().data(), own->body->held(),
+                         own->body->kernel, own->body->spacing, world_->domain);
+        own->version = own->body->version;
     }
 }
 
@@ -139,6 +168,7 @@ std::size_t Relations<Dim>::bytes() const {
     std::size_t sum = 0;
     for (const auto& r : references_) sum += r->list.bytes();
     for (const auto& r : relations_) sum += r->list.bytes();
+    for (const auto& own : own_pairs_) sum += own->tiles.bytes();
     for (const auto& [body, grid] : grids_) sum += grid.cells.bytes();
     return sum;
 }

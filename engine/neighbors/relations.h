@@ -51,21 +51,28 @@ struct ReferenceRelation {
     std::uint64_t to_arrangement = ~std::uint64_t{0};
 };
 
+template <int Dim>
+class PairTiles;
+
 /// All relations of a simulation and the cell grids they share, one grid per body.
 template <int Dim>
 class Relations {
  public:
-    explicit Relations(bodies::World<Dim>& world) : world_(&world) {}
+    explicit Relations(bodies::World<Dim>& world);
+    ~Relations();
 
     /// The relation of that purpose, made (empty) on first use. Its address stays. Its list keeps
     /// what any of those keep who have asked for it.
     Relation<Dim>& flow(const bodies::Body<Dim>& from, const bodies::Body<Dim>& to, Keeps keeps) {
         return relation(Purpose::flow, from, to, keeps);
     }
+    /// The pairs of the body's own particles, made (empty) on first use. Their address stays.
+    const PairTiles<Dim>& ownPairs(const bodies::Body<Dim>& body);
     Relation<Dim>& observation(const bodies::Body<Dim>& observer, const bodies::Body<Dim>& to) {
         return relation(Purpose::observation, observer, to, {.distance = true});
     }
-    /// Rebuilds what is stale of the relations of flow that have one of the bodies on either side.
+    /// Rebuilds what is stale of own pairs and of the relations of flow that have one of the bodies
+    /// on either side.
     void update(const std::vector<bodies::Body<Dim>*>& bodies);
     /// Rebuilds this one if it is stale.
     void update(Relation<Dim>& relation);
@@ -80,6 +87,7 @@ class Relations {
     std::size_t bytes() const;
 
  private:
+    struct OwnPairs;
     struct Grid {
         CellGrid<Dim> cells;
         std::uint64_t version = ~std::uint64_t{0};
@@ -90,6 +98,7 @@ class Relations {
 
     bodies::World<Dim>* world_;
     std::vector<std::unique_ptr<Relation<Dim>>> relations_;
+    std::vector<std::unique_ptr<OwnPairs>> own_pairs_;
     std::vector<std::unique_ptr<ReferenceRelation<Dim>>> references_;
     std::map<const bodies::Body<Dim>*, Grid> grids_;
 };

@@ -6,8 +6,10 @@
 #include "core/parallel.h"
 #include "dynamics/methods.h"
 #include "materials/fluid.h"
+#include "neighbors/pair_tiles.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace sphinx::dynamics::fluid {
@@ -25,17 +27,17 @@ class DensitySummation final : public Method {
     std::size_t workSize() const override { return body_->size(); }
 
  private:
-    /// What the neighbors in one body add to S_i, each of them.
+    /// What the neighbors in one solid add to S_i, each of them.
     struct Term {
         const Relation<Dim>* relation;
         double weight;
     };
 
     void runFree(double dt);
-    double freeDensity(std::size_t i, double correction);
+    double freeDensity(std::size_t i, double correction, bool inside);
     double share(std::size_t i) const;
     bool seesSolid(std::size_t i) const;
-    bool isInside(std::size_t i) const;
+    void findInside();
 
     Body<Dim>* body_;
     double rho0_;
@@ -44,13 +46,16 @@ class DensitySummation final : public Method {
     double least_share_;  // of S0 that a particle with support has
     double cell_;         // volume of a particle of the lattice
     double tau_;
+    const PairTiles<Dim>* self_;
     std::vector<Term> terms_;
-    const Relation<Dim>* self_ = nullptr;
     Field<double>& mass_;
     Field<double>& density_;
     Field<double>& slack_;
     Field<double>* reference_ = nullptr;  // confined
-    AlignedVector<double> share_;         // S/S0, filled anew in every call
+    // Filled anew in every call.
+    AlignedVector<double> share_;          // S/S0
+    AlignedVector<std::uint8_t> lacks_;    // support, of the slots of self_
+    AlignedVector<std::uint8_t> cut_off_;  // a neighbor lacks support, likewise
 };
 
 template <int Dim>
@@ -62,17 +67,17 @@ DensitySummation<Dim>::DensitySummation(Context<Dim>& context, const DensitySumm
       least_share_(0.5 + 0.5 * body_->kernel.surfaceSum() / lattice_sum_),
       cell_(std::pow(body_->spacing, Dim)),
       tau_(relaxation_length * body_->spacing / body_->fluid().material->soundSpeed()),
+      self_(&context.relations.ownPairs(*body_)),
       mass_(body_->particles.scalar(fields::mass)),
       density_(body_->particles.scalar(fields::density)),
       slack_(body_->particles.scalar(fields::slack)) {
     Body<Dim>& body = *body_;
     if (p.surface == Surface::confined)
         reference_ = &body.particles.scalar(fields::reference_density);
-    for (Body<Dim>* other : body.sees) {
-        terms_.push_back({&context.relations.flow(body, *other, {.kernel_sum = true}),
-                          std::pow(other->spacing / body.spacing, Dim)});
-        if (other == &body) self_ = terms_.back().relation;
-    }
+    for (Body<Dim>* other : body.sees)
+        if (other != &body)
+            terms_.push_back({&context.relations.flow(body, *other, {.kernel_sum = true}),
+                              std::pow(other->spacing / body.spacing, Dim)});
 }
 
 template <int Dim>
@@ -86,21 +91,27 @@ void DensitySummation<Dim>::runFree(double dt) {
     const double correction = -std::expm1(-dt / tau_);
     share_.resize(body_->held());
     parallelFor(body_->size(), [&](std::size_t i) { share_[i] = share(i); });
-    parallelFor(body_->size(), [&](std::size_t i) { density_[i] = freeDensity(i, correction); });
+    findInside();
+    parallelFor(self_->firstCopy(), [&](std::size_t s) {
+        const Index i = self_->particle(static_cast<Index>(s));
+        if (i != PairTiles<Dim>::none)
+            density_[i] = freeDensity(i, correction, lacks_[s] == 0 && cut_off_[s] == 0);
+    });
 }
 
+/// Inside: no surface cuts off a part of its own neighborhood.
 template <int Dim>
-double DensitySummation<Dim>::freeDensity(std::size_t i, double correction) {
+double DensitySummation<Dim>::freeDensity(std::size_t i, double correction, bool inside) {
     const double rho = density_[i];
     const bool was_slack = slack_[i] > 0;
     const bool at_solid = seesSolid(i);
     const bool supported = share_[i] >= least_share_;
     slack_[i] = at_solid || !supported;
-    const bool alone = !at_solid && self_->list.ranges[i].count == 0;
+    const bool alone = !at_solid && self_->kernelSum(i) == 0;
     if (alone) return rho0_;
     if (!at_solid && (was_slack || !supported)) return std::max(rho, rho0_);
     const double sum = mass_[i] / cell_ * share_[i];
-    if (!isInside(i)) return std::max(rho, sum);
+    if (!inside) return std::max(rho, sum);
     // At a solid a sum below rho0 tells a gap, not tension.
     const double right = at_solid && sum < rho0_ ? std::clamp(rho, sum, rho0_) : sum;
     return rho + correction * (right - rho);
@@ -109,25 +120,42 @@ double DensitySummation<Dim>::freeDensity(std::size_t i, double correction) {
 /// S_i/S0: how much of its neighborhood the particle has.
 template <int Dim>
 double DensitySummation<Dim>::share(std::size_t i) const {
-    double sum = own_;
+    double sum = own_ + self_->kernelSum(i);
     for (const Term& term : terms_) sum += term.weight * term.relation->list.kernel_sum[i];
     return sum / lattice_sum_;
 }
 
 template <int Dim>
 bool DensitySummation<Dim>::seesSolid(std::size_t i) const {
-    return std::any_of(terms_.begin(), terms_.end(), [&](const Term& term) {
-        return term.relation != self_ && term.relation->list.kernel_sum[i] > 0;
-    });
+    return std::any_of(terms_.begin(), terms_.end(),
+                       [&](const Term& term) { return term.relation->list.kernel_sum[i] > 0; });
 }
 
-/// None of its neighbors lacks support: no surface cuts off a part of its own neighborhood.
+/// Particles that lack support tell their neighbors.
 template <int Dim>
-bool DensitySummation<Dim>::isInside(std::size_t i) const {
-    double least = share_[i];
-    for (const auto& block : self_->list.of(i))
-        for (const std::uint32_t j : block.index) least = std::min(least, share_[j]);
-    return least >= least_share_;
+void DensitySummation<Dim>::findInside() {
+    lacks_.resize(self_->slots());
+    cut_off_.assign(self_->slots(), 0);
+    parallelFor(self_->slots(), [&](std::size_t s) {
+        const Index i = self_->particle(static_cast<Index>(s));
+        lacks_[s] = i != PairTiles<Dim>::none && share_[i] < least_share_;
+    });
+    const auto tell = [&](Index slot) {  // several threads may say the same
+        std::atomic_ref(cut_off_[slot]).store(1, std::memory_order_relaxed);
+    };
+    self_->forEachTile([&](Index first, const std::uint32_t* j, const float* weight) {
+        const std::uint8_t* i_lacks = lacks_.data() + first;
+        const std::uint8_t of_i = i_lacks[0] | i_lacks[1] | i_lacks[2] | i_lacks[3];
+        const std::uint8_t of_j = lacks_[j[0]] | lacks_[j[1]] | lacks_[j[2]] | lacks_[j[3]];
+        if ((of_i | of_j) == 0) return;
+        for (Index pair = 0; pair < tile_size; ++pair) {
+            if (weight[pair] == 0) continue;
+            const Index i = pair / tile_side;
+            const Index slot = j[pair % tile_side];
+            if (i_lacks[i] != 0) tell(slot);
+            if (lacks_[slot] != 0) tell(first + i);
+        }
+    });
 }
 
 }  // namespace

@@ -1,11 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-
-// The compiler may fuse products and sums here, and the bits depend on it: engine/CMakeLists.txt.
-#ifndef SPHINX_FUSED
-#error "compile this file with -ffp-contract=fast and SPHINX_FUSED"
-#endif
-
 #include "core/number.h"
 #include "core/sum_all.h"
 #include "dynamics/fluid/pair_state.h"
@@ -15,6 +9,7 @@
 #include "dynamics/fluid/terms/riemann.h"
 #include "dynamics/fluid/wall_pairs.h"
 #include "dynamics/methods.h"
+#include "dynamics/tile_loop.h"
 #include "materials/fluid_laws.h"
 
 namespace sphinx::dynamics::fluid {
@@ -102,6 +97,13 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     template <Riemann R>
     Load<Dim> loadOn(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
                      const Vec<Dim>& about) const;
+    /// Of the sums over each wall, in the unit of its list.
+    std::vector<SumGrid> wallGrids(double largest) const;
+    template <Riemann R>
+    void addWallForce(const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i,
+                      Vec<Dim>& force) const;
+    double wallClosing(const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid,
+                       Index i) const;
     template <Riemann R>
     void momentum(double dt);
     template <Riemann R>
@@ -114,6 +116,8 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     double largest_force_;  // that sums over pairs may reach, and of the rate
     double largest_rate_;
     double largest_impedance_;
+    double cell_;         // volume of a particle of the lattice
+    bool loads_solids_;   // that answer to forces
     double last_dt_ = 0;  // of the last slips
     // Per volume, found in the first step of each interval: no state of a restart.
     Vec<Dim> weight_ = Vec<Dim>::Zero();
@@ -131,9 +135,14 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     Field<double>& pressure_;
 
     // Filled anew in every step, in which no particle comes, goes or moves in memory.
-    AlignedVector<PairState<Dim>> before_;  // packed at the half step, read by the momentum sum
-    // With the new velocity and the pressure above the hydrostatic, read by the continuity sum.
-    AlignedVector<PairState<Dim>> after_;
+    // As the momentum sum reads it, then with the new velocity and the pressure above the
+    // hydrostatic, as the continuity sum does. Velocities in units of c0, pressures in rho0 c0^2,
+    // volumes in those of a cell of the lattice.
+    TileRecords<Dim> records_;
+    TileSums<Dim, Dim> forces_;
+    TileSums<Dim, 1> rates_;
+    // What the momentum sum has read, for solids that get what the fluid has felt.
+    AlignedVector<PairState<Dim>> before_;
 };
 
 template <int Dim>
@@ -150,6 +159,7 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context,
                      std::pow(body_->spacing, Dim - 1)),
       largest_rate_(0.1 * constants_.c0 / body_->spacing),
       largest_impedance_(4 * constants_.rho0 * constants_.c0 * std::pow(body_->spacing, Dim - 1)),
+      cell_(std::pow(body_->spacing, Dim)),
       around_(context, *body_, {.walls = {.distance = true}}),
       position_(body_->particles.position()),
       velocity_(body_->particles.vector(fields::velocity)),
@@ -159,14 +169,17 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context,
       density_(body_->particles.scalar(fields::density)),
       density_rate_(body_->particles.scalar(fields::density_rate)),
       slack_(body_->particles.scalar(fields::slack)),
-      pressure_(body_->particles.scalar(fields::pressure)) {}
+      pressure_(body_->particles.scalar(fields::pressure)) {
+    loads_solids_ =
+        std::ranges::any_of(around_.walls(), [](const auto& wall) { return wall.fields.responds; });
+}
 
 template <int Dim>
 void PressureRelaxation<Dim>::firstHalf(const Clock& clock) {
     this->actedAt(clock.time);
     const double dt = clock.dt;
-    before_.resize(body_->held());
-    after_.resize(body_->held());
+    records_.follow(around_.own());
+    if (loads_solids_) before_.resize(body_->held());
     if (clock.interval_start != interval_start_) {
         interval_start_ = clock.interval_start;
         findWeight();
@@ -190,22 +203,35 @@ template <int Dim>
 void PressureRelaxation<Dim>::predict(double dt) {
     const double half = 0.5 * dt;
     const double rho0 = constants_.rho0;
+    const double per_c0 = 1 / constants_.c0;
+    const double per_pressure = 1 / (rho0 * constants_.c0 * constants_.c0);
+    const double per_cell = 1 / cell_;
     const auto all = [&](auto&& pressure) {
-        parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const double rho = density_[i] + half * density_rate_[i];
-                const double dense = slack_[i] > 0 ? std::max(rho, rho0) : rho;
-                const double p = pressure(dense);
-                const double V = mass_[i] / dense;
-                density_[i] = rho;
-                pressure_[i] = p;
-                volume_[i] = V;
-                position_[i] += half * velocity_[i];
-                PairState<Dim>& state = before_[i];
-                for (int c = 0; c < Dim; ++c) state.v[c] = velocity_[i][c];
-                state.p = p;
-                state.V = V;
-            }
+        records_.fill(around_.own(), [&, density = density_.data(), rate = density_rate_.data(),
+                                      slack = slack_.data(), mass = mass_.data(),
+                                      pressure_of = pressure_.data(), volume = volume_.data(),
+                                      position = position_.data(), velocity = velocity_.data()](
+                                         TileRecord<Dim>& record, Index i)
+                                         __attribute__((always_inline)) {
+            const double rho = density[i] + half * rate[i];
+            const double dense = slack[i] > 0 ? std::max(rho, rho0) : rho;
+            const double p = pressure(dense);
+            const double V = mass[i] / dense;
+            density[i] = rho;
+            pressure_of[i] = p;
+            volume[i] = V;
+            const Vec<Dim> v = velocity[i];
+            position[i] += half * v;
+            for (int c = 0; c < Dim; ++c) record.v[c] = static_cast<float>(per_c0 * v[c]);
+            record.p = static_cast<float>(per_pressure * p);
+            record.V = static_cast<float>(per_cell * V);
+        });
+        if (!loads_solids_) return;
+        parallelFor(body_->size(), [&](std::size_t i) {
+            PairState<Dim>& state = before_[i];
+            for (int c = 0; c < Dim; ++c) state.v[c] = velocity_[i][c];
+            state.p = pressure_[i];
+            state.V = volume_[i];
         });
     };
     // A copy of the law: for all that the compiler knows, its constants could change in the loop.
@@ -226,40 +252,73 @@ void PressureRelaxation<Dim>::findWeight() {
 }
 
 template <int Dim>
+std::vector<SumGrid> PressureRelaxation<Dim>::wallGrids(double largest) const {
+    std::vector<SumGrid> grids;
+    for (const auto& wall : around_.walls())
+        grids.emplace_back(largest / wall.list().gradient_unit);
+    return grids;
+}
+
+/// Of the records' units.
+constexpr RiemannConstants of_one{1, 1};
+
+template <int Dim>
 template <Riemann R>
 void PressureRelaxation<Dim>::momentum(double dt) {
-    const NeighborList<Dim>& self = around_.own();
-    const PairState<Dim>* state = before_.data();
-    const double unit = self.gradient_unit;
-    const SumGrid grid(largest_force_ / unit);
-    parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const PairState<Dim>& si = state[i];
-            ExactSums<Dim> sum(grid);
-            forEachPair(self, i, [&](const Pairs<Dim>& pair) {
-                const PairLanes<Dim> sj = gather(state, pair.index);
-                Lanes v_ij[Dim];
-                for (int c = 0; c < Dim; ++c) v_ij[c] = si.v[c] - sj.v[c];
-                const Lanes p2 = twicePressure<R, Dim>(constants_, pair, v_ij, lanes(si.p), sj.p);
-                const Lanes f = p2 * (si.V * sj.V);
-                for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
-            });
-            const Vec<Dim> v = velocity_[i];
-            const Vec<Dim> g = external_[i];
-            const FluidSide<Dim, Lanes> fluid = oneFluid<Dim>(v, g, si.p, density_[i], slack_[i]);
-            for (const auto& wall : around_.walls())
-                addWallPressure<R>(wall.fields, wall.list(), i, constants_, fluid, si.V, unit, sum);
-            PairState<Dim>& next = after_[i];
-            const double factor = -dt * unit / mass_[i];
-            for (int c = 0; c < Dim; ++c) {
-                const double vc = v[c] + factor * sum[c].value() + dt * g[c];
-                velocity_[i][c] = vc;
-                next.v[c] = vc;
-            }
-            next.p = si.p - dot<Dim>(weight_.data(), position_[i].data());
-            next.V = si.V;
+    const PairTiles<Dim>& tiles = around_.own();
+    using Side = TileSide<Dim>;
+    forces_.template add<Reaction::opposite>(
+        tiles, records_,
+        [](const Side& i, const Side& j, const TilePairs<Dim>& pair, FloatTile(&on_i)[Dim],
+           FloatTile(&)[Dim]) {
+            FloatTile v_ij[Dim];
+            for (int c = 0; c < Dim; ++c) v_ij[c] = i.v[c] - j.v[c];
+            const FloatTile p2 = twicePressure<R, Dim>(of_one, pair, v_ij, i.p, j.p);
+            const FloatTile f = p2 * (pair.weight * (i.V * j.V));
+            for (int c = 0; c < Dim; ++c) on_i[c] = f * pair.gradient[c];
+        });
+    const double pressure_unit = constants_.rho0 * constants_.c0 * constants_.c0;
+    const double unit = pressure_unit * cell_ * cell_ * tiles.gradientUnit();
+    const double per_c0 = 1 / constants_.c0;
+    const double per_pressure = 1 / pressure_unit;
+    const std::vector<SumGrid> grids = wallGrids(largest_force_);
+    forces_.forEach(tiles, [&, velocity = velocity_.data(), external = external_.data(),
+                            mass = mass_.data(), pressure = pressure_.data(),
+                            position = position_.data(), records = records_.data(),
+                            weight = weight_](Index i, Index slot, const ExactNumber* own)
+                               __attribute__((always_inline)) {
+        const Vec<Dim> v = velocity[i];
+        const Vec<Dim> g = external[i];
+        Vec<Dim> force;
+        for (int c = 0; c < Dim; ++c) force[c] = unit * static_cast<double>(own[c]);
+        for (std::size_t w = 0; w < grids.size(); ++w)
+            if (around_.walls()[w].list().ranges[i].count != 0)
+                addWallForce<R>(around_.walls()[w], grids[w], i, force);
+        TileRecord<Dim>& next = records[slot];
+        const double factor = -dt / mass[i];
+        for (int c = 0; c < Dim; ++c) {
+            const double vc = v[c] + factor * force[c] + dt * g[c];
+            velocity[i][c] = vc;
+            next.v[c] = static_cast<float>(per_c0 * vc);
         }
+        const double p = pressure[i] - dot<Dim>(weight.data(), position[i].data());
+        next.p = static_cast<float>(per_pressure * p);
     });
+}
+
+/// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the particles of a wall.
+template <int Dim>
+template <Riemann R>
+[[gnu::noinline]] void PressureRelaxation<Dim>::addWallForce(
+    const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i,
+    Vec<Dim>& force) const {
+    const NeighborList<Dim>& list = wall.list();
+    const FluidSide<Dim, Lanes> fluid =
+        oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i]);
+    ExactSums<Dim> sum(grid);
+    addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], list.gradient_unit,
+                       sum);
+    for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
 }
 
 template <int Dim>
@@ -279,10 +338,14 @@ template <int Dim>
 void PressureRelaxation<Dim>::addSlipImpulses() {
     for (const auto& wall : around_.walls()) {
         if (!wall.fields.responds) continue;
-        parallelFor(body_->size(), [&](std::size_t i) {
-            if (wall.list().ranges[i].count == 0) return;
+        const PairTiles<Dim>& tiles = around_.own();
+        parallelFor(tiles.firstCopy(), [&](std::size_t s) {
+            const Index i = tiles.particle(static_cast<Index>(s));
+            if (i == PairTiles<Dim>::none || wall.list().ranges[i].count == 0) return;
             velocity_[i] += slipImpulse(wall.fields, wall.list(), i) / mass_[i];
-            for (int c = 0; c < Dim; ++c) after_[i].v[c] = velocity_[i][c];
+            TileRecord<Dim>& record = records_[static_cast<Index>(s)];
+            for (int c = 0; c < Dim; ++c)
+                record.v[c] = static_cast<float>(velocity_[i][c] / constants_.c0);
         });
     }
 }
@@ -364,30 +427,45 @@ void PressureRelaxation<Dim>::addImpedance(const Body<Dim>& solid, const Neighbo
 template <int Dim>
 template <Riemann R>
 void PressureRelaxation<Dim>::continuity(double dt) {
-    const NeighborList<Dim>& self = around_.own();
-    const PairState<Dim>* state = after_.data();
+    const PairTiles<Dim>& tiles = around_.own();
+    using Side = TileSide<Dim>;
+    records_.updateCopies(tiles);
+    rates_.template add<Reaction::own>(
+        tiles, records_,
+        [](const Side& i, const Side& j, const TilePairs<Dim>& pair, FloatTile(&on_i)[1],
+           FloatTile(&on_j)[1]) {
+            FloatTile v_ij[Dim];
+            for (int c = 0; c < Dim; ++c) v_ij[c] = i.v[c] - j.v[c];
+            const FloatTile p_ij = i.p - j.p;
+            on_i[0] = pair.weight * j.V * closingRate<R, Dim>(of_one, pair, v_ij, p_ij);
+            on_j[0] = pair.weight * i.V * closingRate<R, Dim>(of_one, pair, v_ij, -p_ij);
+        });
     const double half = 0.5 * dt;
-    const double unit = self.gradient_unit;
-    const SumGrid grid(largest_rate_ / unit);
-    parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const PairState<Dim>& si = state[i];
-            ExactSum sum(grid);
-            forEachPair(self, i, [&](const Pairs<Dim>& pair) {
-                const PairLanes<Dim> sj = gather(state, pair.index);
-                Lanes v_ij[Dim];
-                for (int c = 0; c < Dim; ++c) v_ij[c] = si.v[c] - sj.v[c];
-                sum.addProduct(closingRate<R, Dim>(constants_, pair, v_ij, si.p - sj.p), sj.V);
-            });
-            const Vec<Dim> v = velocity_[i];
-            for (const auto& wall : around_.walls())
-                addWallClosure<Dim>(wall.fields, wall.list(), i, v, unit, sum);
-            const double rate = density_[i] * (unit * sum.value());
-            density_rate_[i] = rate;
-            density_[i] += half * rate;
-            position_[i] += half * v;
-        }
+    const double unit = constants_.c0 * cell_ * tiles.gradientUnit();
+    const std::vector<SumGrid> grids = wallGrids(largest_rate_);
+    rates_.forEach(tiles, [&, velocity = velocity_.data(), density = density_.data(),
+                           density_rate = density_rate_.data(), position = position_.data()](
+                              Index i, Index, const ExactNumber* own)
+                              __attribute__((always_inline)) {
+        double closing = unit * static_cast<double>(own[0]);
+        for (std::size_t w = 0; w < grids.size(); ++w)
+            if (around_.walls()[w].list().ranges[i].count != 0)
+                closing += wallClosing(around_.walls()[w], grids[w], i);
+        const double rate = density[i] * closing;
+        density_rate[i] = rate;
+        density[i] += half * rate;
+        position[i] += half * velocity[i];
     });
+}
+
+/// sum_j 2 (v_i - v*_ij) . e_ij W' V_j over the particles of a wall.
+template <int Dim>
+[[gnu::noinline]] double PressureRelaxation<Dim>::wallClosing(
+    const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i) const {
+    const NeighborList<Dim>& list = wall.list();
+    ExactSum sum(grid);
+    addWallClosure<Dim>(wall.fields, list, i, velocity_[i], list.gradient_unit, sum);
+    return list.gradient_unit * sum.value();
 }
 
 /// What both sums need of the solids that the fluid sees.

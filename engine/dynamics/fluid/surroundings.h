@@ -21,9 +21,8 @@ class Surroundings {
 
         const NeighborList<Dim>& list() const { return relation->list; }
     };
-    /// What the lists keep for each pair besides the gradient.
+    /// What the lists of walls keep for each pair besides the gradient.
     struct Needs {
-        sphinx::neighbors::Keeps own = {};
         sphinx::neighbors::Keeps walls = {};
         bool sees_walls = true;
     };
@@ -31,7 +30,7 @@ class Surroundings {
     Surroundings(Context<Dim>& context, Body<Dim>& fluid, const Needs& needs) {
         for (Body<Dim>* other : fluid.sees) {
             if (other == &fluid)
-                own_ = &context.relations.flow(fluid, fluid, needs.own);
+                own_ = &context.relations.ownPairs(fluid);
             else if (needs.sees_walls)
                 walls_.push_back({other, &context.relations.flow(fluid, *other, needs.walls),
                                   WallFields<Dim>(*other)});
@@ -39,7 +38,7 @@ class Surroundings {
     }
 
     /// The fluid's own particles. The fluid is known to see itself.
-    const NeighborList<Dim>& own() const { return own_->list; }
+    const PairTiles<Dim>& own() const { return *own_; }
     const std::vector<Wall>& walls() const { return walls_; }
     /// nullptr where the body is none of the walls.
     const Wall* wall(const Body<Dim>& body) const {
@@ -49,7 +48,7 @@ class Surroundings {
     }
 
  private:
-    const Relation<Dim>* own_ = nullptr;
+    const PairTiles<Dim>* own_ = nullptr;
     std::vector<Wall> walls_;
 };
 

@@ -9,6 +9,7 @@
 #include "dynamics/fluid/viscous_bound.h"
 #include "dynamics/methods.h"
 #include "dynamics/pair_loop.h"
+#include "dynamics/tile_loop.h"
 #include "materials/fluid.h"
 
 #include <fmt/format.h>
@@ -101,6 +102,8 @@ class ViscousForce final : public SolidLoad<Dim> {
     double factor_;   // dynamic viscosity times 2 L or 2 (d + 2)
     double largest_;  // that sums over pairs may reach
     Surroundings<Dim> around_;
+    TileRecords<Dim> records_;  // velocities in units of c0, volumes in those of a cell
+    TileSums<Dim, Dim> sums_;
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& external_;
     Field<double>& mass_;
@@ -119,9 +122,7 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, const ViscousForceParamet
       // few 1/spacing^2.
       largest_(body_->fluid().material->soundSpeed() * std::pow(body_->spacing, Dim - 2)),
       around_(context, *body_,
-              {.own = {.distance = true},
-               .walls = {.distance = true},
-               .sees_walls = p.wall == WallSlip::no_slip}),
+              {.walls = {.distance = true}, .sees_walls = p.wall == WallSlip::no_slip}),
       velocity_(body_->particles.vector(fields::velocity)),
       external_(body_->particles.vector(fields::external_acceleration)),
       mass_(body_->particles.scalar(fields::mass)),
@@ -146,33 +147,45 @@ void ViscousForce<Dim>::run(const Clock& clock) {
 template <int Dim>
 template <ViscousForm F>
 void ViscousForce<Dim>::accelerate() {
-    const NeighborList<Dim>& own = around_.own();
-    const double unit = own.gradient_unit;
-    const SumGrid grid(largest_ / unit);
-    parallelRanges(body_->size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Vec<Dim> v = velocity_[i];
-            const double V = volume_[i];
-            ExactSums<Dim> sum(grid);
-            Distances<Dim> distances(own, i);
-            forEachPair(own, i, [&](const Pairs<Dim>& pair) {
-                Lanes v_ij[Dim];
-                gatherVectors<Dim>(velocity_.data(), pair.index, v_ij);
-                for (int c = 0; c < Dim; ++c) v_ij[c] = v[c] - v_ij[c];
-                addPairs<F, Dim>(pair, v_ij, distances.next(),
-                                 V * gatherLanes(volume_.data(), pair.index), sum);
-            });
-            for (const auto& wall : around_.walls()) {
-                const double in_unit = V * (wall.list().gradient_unit / unit);
-                forEachWallPair<Dim>(
-                    wall.fields, wall.list(), i, v, nearest_,
-                    [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
-                        addPairs<F, Dim>(pair, v_ij, r, in_unit * V_j, sum);
-                    });
-            }
-            const double scale = unit * factor_ / mass_[i];
-            for (int c = 0; c < Dim; ++c) external_[i][c] += scale * sum[c].value();
+    const PairTiles<Dim>& tiles = around_.own();
+    using Side = TileSide<Dim>;
+    const double c0 = body_->fluid().material->soundSpeed();
+    const double cell = std::pow(body_->spacing, Dim);
+    records_.follow(tiles);
+    records_.fill(tiles, [&](TileRecord<Dim>& record, Index i) {
+        for (int c = 0; c < Dim; ++c) record.v[c] = static_cast<float>(velocity_[i][c] / c0);
+        record.V = static_cast<float>(volume_[i] / cell);
+    });
+    // The weight is abs(W')/r, where sums are made for abs(W'): r is about so many places.
+    constexpr double places = 0x1p28;
+    sums_.template add<Reaction::opposite>(
+        tiles, records_,
+        [](const Side& i, const Side& j, const TilePairs<Dim>& pair, FloatTile(&on_i)[Dim],
+           FloatTile(&)[Dim]) {
+            FloatTile v_ij[Dim];
+            for (int c = 0; c < Dim; ++c) v_ij[c] = i.v[c] - j.v[c];
+            const FloatTile V = (pair.weight * static_cast<float>(places)) * (i.V * j.V);
+            const FloatTile f = viscousFactor<F, Dim, FloatTile>(pair, v_ij, pair.dW, V);
+            const auto& direction = viscousDirection<F, Dim, FloatTile>(pair, v_ij);
+            for (int c = 0; c < Dim; ++c) on_i[c] = f * direction[c];
+        });
+    const double unit = c0 * cell * cell * tiles.gradientUnit() / (places * tiles.placeUnit());
+    sums_.forEach(tiles, [&](Index i, Index, const ExactNumber* own) {
+        const Vec<Dim> v = velocity_[i];
+        Vec<Dim> force;
+        for (int c = 0; c < Dim; ++c) force[c] = unit * static_cast<double>(own[c]);
+        for (const auto& wall : around_.walls()) {
+            const NeighborList<Dim>& list = wall.list();
+            if (list.ranges[i].count == 0) continue;
+            ExactSums<Dim> sum(SumGrid(largest_ / list.gradient_unit));
+            forEachWallPair<Dim>(
+                wall.fields, list, i, v, nearest_,
+                [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
+                    addPairs<F, Dim>(pair, v_ij, r, volume_[i] * V_j, sum);
+                });
+            for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
         }
+        external_[i] += (factor_ / mass_[i]) * force;
     });
 }
 

@@ -1,22 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "dynamics/methods.h"
-#include "neighbors/cell_grid.h"
+#include "neighbors/columns.h"
 
 namespace sphinx::dynamics::particles {
 
-/// Reorders the particles of a body cell by cell, so that neighbors in space are neighbors in
-/// memory: in 2D by the cells of the lists, in 3D, where the particles around such a cell fill the
-/// first cache, by rows of single particles. Changes no value; lists of the body must be rebuilt
+/// Reorders the particles of a body as the sums over its pairs meet them (PairTiles), so that
+/// neighbors in space are neighbors in memory. Changes no value; lists of the body must be rebuilt
 /// afterwards.
 void declareSort(input::Registry& registry) {
     using P = BodyParameters;
     auto& d = declareBodyMethod<P>(
         registry, "particles.sort", []<int Dim>(const P&, Body<Dim>& body, Context<Dim>&) {
-            return [&, grid = sphinx::neighbors::CellGrid<Dim>()](const Clock&) mutable {
-                const double cell_size = Dim == 2 ? body.kernel.cutoff() : body.spacing;
-                grid.build(body.particles.position().data(), body.size(), cell_size);
-                body.particles.permute(grid.order());
+            return [&, columns = sphinx::neighbors::Columns<Dim>()](const Clock&) mutable {
+                const Vec<Dim>* position = body.particles.position().data();
+                const Box<Dim> bounds = sphinx::neighbors::boundsOf<Dim>(position, body.size());
+                columns.build(position, body.size(), bounds, bounds.lower, body.spacing,
+                              body.kernel.cutoff());
+                body.particles.permute(columns.order());
                 ++body.version;
             };
         });

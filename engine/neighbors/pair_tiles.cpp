@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "neighbors/pair_tiles.h"
+
+#include "core/parallel.h"
+#include "neighbors/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sphinx::neighbors {
+namespace {
+
+/// Places are told apart within half the modulus, four cutoffs.
+constexpr double places_of_cutoff = 0x1p29;
+/// Of sums of w <= 1 over at most a thousand neighbors, and of sums of products with weights.
+constexpr double kernel_scale = 0x1p41;
+constexpr double weight_scale = 0x1p48;
+
+template <int Dim>
+typename PairTiles<Dim>::Place placeOf(const Vec<Dim>& x, double per_unit) {
+    typename PairTiles<Dim>::Place place{};
+    for (int k = 0; k < Dim; ++k)
+        place[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(
+            static_cast<std::uint32_t>(static_cast<std::int64_t>(std::nearbyint(x[k] * per_unit))));
+    return place;
+}
+
+/// sigma/h^Dim: W of w.
+template <int Dim>
+double kernelUnit(const kernels::Kernel<Dim>& kernel) {
+    const double h = kernel.smoothingLength();
+    return kernels::withKernel<Dim>(kernel.type(), [&]<class K>() { return K::sigma; }) *
+           std::pow(1 / h, Dim);
+}
+
+}  // namespace
+
+template <int Dim>
+void PairTiles<Dim>::build(const Vec<Dim>* position, std::size_t n,
+                           const kernels::Kernel<Dim>& kernel, double spacing,
+                           const bodies::Domain<Dim>& domain) {
+    ++builds_;
+    const double cutoff = kernel.cutoff();
+    place_unit_ = cutoff / places_of_cutoff;
+    gradient_unit_ = 1 / (weight_scale * std::pow(spacing, Dim + 1));
+    const Box<Dim> bounds = boundsOf<Dim>(position, n);
+    columns_.build(position, n, bounds, bounds.lower, spacing, cutoff);
+    makeCopies(position, n, bounds, domain, spacing, cutoff);
+
+    const double per_unit = 1 / place_unit_;
+    places_.resize(columns_.slots() + copy_columns_.slots());
+    parallelFor(columns_.slots(), [&](std::size_t s) {
+        const Index i = columns_.point(static_cast<Index>(s));
+        places_[s] = i == none ? Place{} : placeOf<Dim>(position[i], per_unit);
+    });
+    originals_.resize(copy_columns_.slots());
+    if (!copies_.empty()) {
+        AlignedVector<Index> slot_of(n);
+        for (Index s = 0; s < columns_.slots(); ++s)
+            if (columns_.point(s) != none) slot_of[columns_.point(s)] = s;
+        for (Index s = 0; s < copy_columns_.slots(); ++s) {
+            const Index copy = copy_columns_.point(s);
+            places_[columns_.slots() + s] = copy == none ? Place{} : copy_places_[copy];
+            originals_[s] = copy == none ? none : slot_of[copies_[copy]];
+        }
+    }
+    kernel_sum_.resize(n);
+    divide();
+
+    const double extent = n == 0 ? 0 : (bounds.size().maxCoeff() + 2 * cutoff);
+    const auto reach = static_cast<float>(cutoff * (1 + 1e-5) + 0x1p-21 * extent);
+    parallelFor(
+        chunks_.size(), [&](std::size_t c) { findTiles(chunks_[c], reach); }, 1);
+    sum_count_ = 0;
+    for (Chunk& chunk : chunks_) {
+        chunk.sums_at = sum_count_;
+        sum_count_ += chunk.reach_end - chunk.first_slot;
+    }
+    sums_.resize(sum_count_);
+    kernels::withKernel<Dim>(kernel.type(), [&]<class K>() {
+        parallelFor(
+            chunks_.size(), [&](std::size_t c) { weigh<K>(chunks_[c], kernel, sums_.data()); }, 1);
+    });
+    parallelFor(
+        chunks_.size(),
+        [&](std::size_t c) {
+            const Chunk& chunk = chunks_[c];
+            gather(chunk, 1, sums_.data());
+            const ExactNumber* sums = sumsOf(chunk, 1, sums_.data());
+            const double unit = kernelUnit(kernel) / kernel_scale;
+            for (Index s = chunk.first_slot; s < chunk.end_slot; ++s)
+                if (columns_.point(s) != none)
+                    kernel_sum_[columns_.point(s)] = unit * static_cast<double>(sums[s]);
+        },
+        1);
+}
+
+/// Images across periodic sides of particles that may be neighbors of one of the particles.
+template <int Dim>
+void PairTiles<Dim>::makeCopies(const Vec<Dim>* position, std::size_t n, const Box<Dim>& bounds,
+                                const bodies::Domain<Dim>& domain, double spacing, double cutoff) {
+    copies_.clear();
+    copy_places_.clear();
+    copy_positions_.clear();
+    Box<Dim> around = bounds;
+    around.lower.array() -= cutoff;
+    around.upper.array() += cutoff;
+    const double per_unit = 1 / place_unit_;
+    Box<Dim> reached;
+    const Images<Dim> images(domain);
+    for (const Vec<Dim>& shift : images.shifts()) {
+        if (shift.isZero(0)) continue;
+        const Place shifted = placeOf<Dim>(shift, per_unit);
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec<Dim> x = position[i] + shift;
+            if (!around.contains(x)) continue;
+            Place place = placeOf<Dim>(position[i], per_unit);
+            for (std::size_t k = 0; k < Dim; ++k)
+                place[k] = static_cast<std::int32_t>(static_cast<std::uint32_t>(place[k]) +
+                                                     static_cast<std::uint32_t>(shifted[k]));
+            copies_.push_back(static_cast<Index>(i));
+            copy_places_.push_back(place);
+            copy_positions_.push_back(x);
+            reached.include(x);
+        }
+    }
+    copy_columns_.build(copy_positions_.data(), copies_.size(), reached, bounds.lower, spacing,
+                        cutoff);
+}
+
+/// Shares the clusters out to the threads.
+template <int Dim>
+void PairTiles<Dim>::divide() {
+    constexpr std::size_t fewest = 64;
+    const std::size_t clusters = columns_.slots() / tile_side;
+    const std::size_t count =
+        std::clamp<std::size_t>(clusters / fewest, std::min<std::size_t>(1, clusters),
+                                static_cast<std::size_t>(threadCount()));
+    chunks_.resize(count);
+    for (std::size_t c = 0; c < count; ++c) {
+        chunks_[c].first_slot = static_cast<Index>(clusters * c / count * tile_side);
+        chunks_[c].end_slot = static_cast<Index>(clusters * (c + 1) / count * tile_side);
+    }
+}
+
+template <int Dim>
+void PairTiles<Dim>::findTiles(Chunk& chunk, float reach) const {
+    chunk.ranges.clear();
+    Index count = 0;
+    Index farthest = chunk.end_slot;
+    const auto fillUp = [&](Index first_slot) {
+        if (chunk.j.size() < count + tile_side) chunk.j.resize(2 * (count + tile_side));
+        // Places left over repeat a slot of the cluster and have no weight.
+        for (; count % tile_side != 0; ++count) chunk.j[count] = first_slot;
+    };
+    for (Index s = chunk.first_slot; s < chunk.end_slot; s += tile_side) {
+        const auto cluster = columns_.cluster(s);
+        Range range;
+        range.one_sided = count / tile_side;
+        fillUp(s);
+        for (Index q = 0; q < tile_side; ++q) chunk.j[count++] = s + q;
+        if (!copies_.empty())
+            count = copy_columns_.template findNear<false>(cluster, 0, reach, columns_.slots(),
+                                                           chunk.j, count);
+        fillUp(s);
+        range.two_sided = count / tile_side;
+        count = columns_.template findNear<true>(cluster, s + tile_side, reach, 0, chunk.j, count);
+        for (Index m = range.two_sided * tile_side; m < count; ++m)
+            farthest = std::max(farthest, chunk.j[m] + 1);
+        fillUp(s);
+        chunk.ranges.push_back(range);
+    }
+    chunk.ranges.push_back({count / tile_side, count / tile_side});
+    chunk.reach_end = farthest;
+}
+
+/// Weights of all pairs, and the sums of W.
+template <int Dim>
+template <class K>
+void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
+                           ExactNumber* all_sums) const {
+    constexpr double reach2 = places_of_cutoff * places_of_cutoff;
+    const Lanes q_per_place = lanes(K::reach / places_of_cutoff);
+    const double h = kernel.smoothingLength();
+    const Lanes factor = lanes(-kernel.gradientFactor() * kernelUnit(kernel) / (h * h) *
+                               place_unit_ / gradient_unit_);
+    ExactNumber* sums = sumsOf(chunk, 1, all_sums);
+    std::fill(sums + chunk.first_slot, sums + chunk.reach_end, ExactNumber{});
+    chunk.weight.resize(chunk.ranges.back().one_sided * std::size_t{tile_size});
+    const auto* words = reinterpret_cast<const float*>(places_.data());
+    constexpr WholeTile lane_i = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+    constexpr WholeTile lane_j = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    constexpr std::int32_t beyond = std::numeric_limits<std::int32_t>::max();
+
+    const std::uint32_t* j = chunk.j.data();
+    float* weight = chunk.weight.data();
+    for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c) {
+        const Index first = chunk.first_slot + static_cast<Index>(c) * tile_side;
+        const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
+        FloatQuad quads[4];
+        gatherWords<4>(words, own, quads);
+        WholeTile xi[Dim];
+        for (int k = 0; k < Dim; ++k) xi[k] = reinterpret_cast<WholeTile>(ofEachI(quads[k]));
+        int filled = tile_side;  // empty slots are the last ones of a cluster
+        while (columns_.point(first + static_cast<Index>(filled) - 1) == none) --filled;
+        const WholeTile is_i = lane_i < filled;
+
+        ExactTile sum[1] = {};
+        const auto weighTile = [&](WholeTile is_pair) {
+            gatherWords<4>(words, j, quads);
+            Lanes low2 = {}, high2 = {};
+            for (int k = 0; k < Dim; ++k) {
+                WholeTile d = reinterpret_cast<WholeTile>(ofEachJ(quads[k])) - xi[k];
+                if (k == 0) d = is_pair ? d : beyond + WholeTile{};
+                const Lanes low = lowLanes(d);
+                const Lanes high = highLanes(d);
+                low2 += low * low;
+                high2 += high * high;
+            }
+            Lanes w[2], g[2];
+            const auto evaluate = [&](Lanes r2, int half) {
+                const Lanes q = q_per_place * (r2 * inverseSqrtLanes(r2 + 1e-30));
+                const LaneMask inside = r2 < reach2;
+                w[half] = inside ? kernel_scale * K::w(q) : Lanes{};
+                g[half] = inside ? factor * K::dwOverQ(q) : Lanes{};
+            };
+            evaluate(low2, 0);
+            evaluate(high2, 1);
+            storeTile(joinTile(g[0], g[1]), weight);
+            weight += tile_size;
+            const ExactTile term(w[0], w[1]);
+            sum[0] += term;
+            return term;
+        };
+        const Range& range = chunk.ranges[c];
+        const std::uint32_t end = chunk.ranges[c + 1].one_sided;
+        // Places of the last tile that repeat a slot of the cluster.
+        const auto isPair = [&] {
+            int pairs = tile_side;
+            while (pairs > 0 && j[pairs - 1] - first < tile_side) --pairs;
+            return is_i & (lane_j < pairs);
+        };
+        std::uint32_t t = range.one_sided;
+        weighTile(is_i & (lane_j < filled) & (lane_i != lane_j));
+        j += tile_side;
+        for (++t; t < range.two_sided; ++t, j += tile_side)
+            weighTile(t + 1 == range.two_sided ? isPair() : is_i);
+        for (; t < end; ++t, j += tile_side) {
+            const ExactTile term[1] = {weighTile(t + 1 == end ? isPair() : is_i)};
+            addOverI<1, 1>(term, j, sums);
+        }
+        addOverJ<1>(sum, sums + first);
+    }
+}
+
+template <int Dim>
+void PairTiles<Dim>::gather(const Chunk& chunk, std::size_t stride, ExactNumber* sums) const {
+    ExactNumber* own = sumsOf(chunk, stride, sums);
+    for (const Chunk& other : chunks_) {
+        if (other.first_slot >= chunk.first_slot) break;
+        const ExactNumber* given = sumsOf(other, stride, sums);
+        const std::size_t end = stride * std::min(other.reach_end, chunk.end_slot);
+        for (std::size_t m = stride * chunk.first_slot; m < end; ++m) own[m] += given[m];
+    }
+}
+
+template <int Dim>
+std::size_t PairTiles<Dim>::bytes() const {
+    std::size_t sum = columns_.bytes() + copy_columns_.bytes() +
+                      sizeof(Place) * (places_.capacity() + copy_places_.capacity()) +
+                      sizeof(Index) * (copies_.capacity() + originals_.capacity()) +
+                      sizeof(Vec<Dim>) * copy_positions_.capacity() +
+                      sizeof(ExactNumber) * sums_.capacity() + 8 * kernel_sum_.capacity();
+    for (const Chunk& chunk : chunks_)
+        sum += sizeof(Range) * chunk.ranges.capacity() + 4 * chunk.j.capacity() +
+               4 * chunk.weight.capacity();
+    return sum;
+}
+
+template class PairTiles<2>;
+template class PairTiles<3>;
+
+}  // namespace sphinx::neighbors
