@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/gather.h"
 #include "core/lanes.h"
 #include "dynamics/pair.h"
 #include "dynamics/words.h"
@@ -17,10 +18,7 @@ inline void gatherVectors(const Vec<Dim>* values, const std::uint32_t* index, La
     if constexpr (Dim == 2) {
         gatherPairs(values->data(), index, out);
     } else {
-        for (int c = 0; c < Dim; ++c) {
-            const auto at = [&](int k) { return values[index[k]][c]; };
-            out[c] = Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
-        }
+        gatherTriples(values->data(), index, out);
     }
 }
 

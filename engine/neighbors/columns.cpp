@@ -64,10 +64,10 @@ void Columns<Dim>::build(const Vec<Dim>* points, std::size_t n, const Box<Dim>& 
     for (int k = 0; k < Dim; ++k) {
         counts_[k] = static_cast<int>(size[k] / (k == 0 ? bin : width)) + 1;
         bins *= static_cast<std::size_t>(counts_[k]);
-        offset_[k] = static_cast<float>(bounds.lower[k] - frame[k]);
+        offset_[k] = static_cast<float>((bounds.lower[k] - frame[k]) / cutoff);
     }
-    width_ = static_cast<float>(width);
-    bin_ = static_cast<float>(bin);
+    width_ = static_cast<float>(width / cutoff);
+    bin_ = static_cast<float>(bin / cutoff);
 
     start_.assign(bins + 1, 0);
     for (std::size_t i = 0; i < n; ++i) {
@@ -86,7 +86,7 @@ void Columns<Dim>::build(const Vec<Dim>* points, std::size_t n, const Box<Dim>& 
     start_[0] = 0;
 
     // Positions of pairs are told apart within four cutoffs (PairTiles).
-    const auto longest = static_cast<float>(1.25 * cutoff);
+    constexpr float longest = 1.25f;
     const auto columns = bins / static_cast<std::size_t>(counts_[0]);
     const auto reserve = [&](std::size_t slots) {
         if (point_.size() >= slots + 2 * tile_size) return;
@@ -107,7 +107,7 @@ void Columns<Dim>::build(const Vec<Dim>* points, std::size_t n, const Box<Dim>& 
             const std::uint32_t end = start_[b + 1];
             for (std::uint32_t m = begin; m < end; ++m) {
                 reserve(slots_ + tile_side);
-                const Vec<Dim> x = points[order_[m]] - frame;
+                const Vec<Dim> x = (points[order_[m]] - frame) / cutoff;
                 const Index first = slots_ / tile_side * tile_side;
                 if (slots_ != first) {
                     bool near = true;

@@ -25,7 +25,8 @@ class Columns {
  public:
     static constexpr Index none = ~Index{0};
 
-    /// Coordinates are taken from the origin of `frame`; the points lie within `bounds`.
+    /// Coordinates of slots are taken from the origin `frame`, in cutoffs; the points lie within
+    /// `bounds`.
     void build(const Vec<Dim>* points, std::size_t n, const Box<Dim>& bounds, const Vec<Dim>& frame,
                double spacing, double cutoff);
 
@@ -43,15 +44,15 @@ class Columns {
         float lower[Dim], upper[Dim];
     };
     Cluster cluster(Index first_slot) const;
-    /// Writes base + slot for all points, in slots from `from` on, that are nearer than `reach` to
-    /// one of the cluster's; returns how many. `column`: the first in which to look. Writes up to
-    /// fifteen places beyond.
+    /// Writes base + slot for all points, in slots from `from` on, that are nearer than `reach`
+    /// (in cutoffs) to one of the cluster's; returns how many. `column`: the first in which to
+    /// look. Writes up to fifteen places beyond.
     template <bool LaterOnly>
     Index findNear(const Cluster& cluster, Index from, float reach, Index base,
                    AlignedVector<std::uint32_t>& out, Index count) const;
 
  private:
-    static constexpr float far_away = 1e18f;  // the square is still finite
+    static constexpr float far_away = 1e18f;  // cutoffs; the square is still finite
 
     float width_ = 1, bin_ = 1;
     std::array<float, Dim> offset_{};  // of the first column and bin in the frame
@@ -112,8 +113,7 @@ Index Columns<Dim>::findNear(const Cluster& cluster, Index from, float reach, In
     std::array<int, 2> own{-1, -1};
     if constexpr (LaterOnly) {
         const auto column = static_cast<int>(column_of_[from / tile_side - 1]);
-        own =
-            Dim == 3 ? std::array{column / counts_[1], column % counts_[1]} : std::array{column, 0};
+        own = {column % counts_[1], column / counts_[1]};
     }
     const auto search = [&](int column, float rest) {
         const float z = std::sqrt(rest);

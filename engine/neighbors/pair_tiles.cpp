@@ -68,8 +68,9 @@ void PairTiles<Dim>::build(const Vec<Dim>* position, std::size_t n,
     kernel_sum_.resize(n);
     divide();
 
-    const double extent = n == 0 ? 0 : (bounds.size().maxCoeff() + 2 * cutoff);
-    const auto reach = static_cast<float>(cutoff * (1 + 1e-5) + 0x1p-21 * extent);
+    // In cutoffs, with what rounding of coordinates may hide.
+    const double extent = n == 0 ? 0 : bounds.size().maxCoeff() / cutoff + 2;
+    const auto reach = static_cast<float>(1 + 1e-5 + 0x1p-21 * extent);
     parallelFor(
         chunks_.size(), [&](std::size_t c) { findTiles(chunks_[c], reach); }, 1);
     sum_count_ = 0;

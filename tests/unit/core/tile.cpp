@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tile.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <vector>
+
+using namespace sphinx;
+
+namespace {
+
+/// 100 i + 10 j + the component in the lane of each pair.
+FloatTile numbered(int component) {
+    FloatTile a;
+    for (int i = 0; i < tile_side; ++i)
+        for (int j = 0; j < tile_side; ++j)
+            a[tile_side * i + j] = static_cast<float>(100 * i + 10 * j + component);
+    return a;
+}
+
+template <int N>
+void checkSums() {
+    ExactTile terms[N];
+    for (int c = 0; c < N; ++c) terms[c] = ExactTile(numbered(c));
+    constexpr int stride = sum_stride<N>;
+    std::vector<ExactNumber> sums(9 * stride, 1);
+    addOverJ<N>(terms, sums.data());
+    for (int i = 0; i < tile_side; ++i)
+        for (int c = 0; c < N; ++c) CHECK(sums[i * stride + c] == 1 + 400 * i + 60 + 4 * c);
+
+    sums.assign(9 * stride, 1);
+    const std::uint32_t slots[tile_side] = {7, 0, 8, 3};
+    addOverI<N, -1>(terms, slots, sums.data());
+    addOverI<N, 1>(terms, slots, sums.data());
+    addOverI<N, 1>(terms, slots, sums.data());
+    for (int j = 0; j < tile_side; ++j)
+        for (int c = 0; c < N; ++c) CHECK(sums[slots[j] * stride + c] == 1 + 600 + 40 * j + 4 * c);
+    for (const int other : {1, 2, 4, 5, 6})
+        for (int c = 0; c < N; ++c) CHECK(sums[other * stride + c] == 1);
+}
+
+}  // namespace
+
+TEST_CASE("sums of a tile over j and over i") {
+    checkSums<1>();
+    checkSums<2>();
+    checkSums<3>();
+}
+
+TEST_CASE("terms of a tile are rounded to whole numbers, to the even one of two as near") {
+    FloatTile a = {};
+    a[0] = 0.5f;
+    a[1] = 1.5f;
+    a[5] = -2.5f;
+    a[9] = 0x1p45f;
+    a[15] = -0.6f;
+    const ExactTile b(a);
+    CHECK(b.low[0] == 0);
+    CHECK(b.low[1] == 2);
+    CHECK(b.low[5] == -2);
+    CHECK(b.high[1] == 0x1p45);
+    CHECK(b.high[7] == -1);
+}
+
+TEST_CASE("words of four particles in the lanes of their pairs") {
+    float records[5 * 8];
+    for (int k = 0; k < 5 * 8; ++k) records[k] = static_cast<float>(k);
+    const std::uint32_t at[tile_side] = {4, 0, 3, 1};
+    FloatQuad six[8];
+    gatherWords<6>(records, at, six);
+    FloatQuad eight[8];
+    gatherWords<8>(records, at, eight);
+    for (int c = 0; c < 8; ++c) {
+        const FloatTile i = ofEachI(eight[c]);
+        const FloatTile j = ofEachJ(eight[c]);
+        for (int k = 0; k < tile_side; ++k) {
+            const auto word = static_cast<float>(8 * at[k] + static_cast<unsigned>(c));
+            CHECK(eight[c][k] == word);
+            if (c < 6) CHECK(six[c][k] == word);
+            for (int m = 0; m < tile_side; ++m) {
+                CHECK(i[tile_side * k + m] == word);
+                CHECK(j[tile_side * m + k] == word);
+            }
+        }
+    }
+}
+
+TEST_CASE("roots and places of a tile") {
+    FloatTile a;
+    for (int k = 0; k < tile_size; ++k) a[k] = std::pow(10.0f, static_cast<float>(4 * k - 30));
+    const FloatTile roots = inverseSqrtTile(a);
+    for (int k = 0; k < tile_size; ++k)
+        CHECK(roots[k] == Approx(1 / std::sqrt(static_cast<double>(a[k]))).epsilon(4e-7));
+
+    std::uint32_t places[tile_size] = {};
+    writePlaces(0x8005, 100, places);
+    CHECK(places[0] == 100);
+    CHECK(places[1] == 102);
+    CHECK(places[2] == 115);
+    CHECK(lessBits(a, tile(1e-20f)) == 0x7);
+
+    WholeTile whole = {};
+    whole[3] = 7;
+    whole[8] = -9;
+    CHECK(lowLanes(whole)[3] == 7);
+    CHECK(highLanes(whole)[0] == -9);
+    CHECK(joinTile(lowLanes(whole), highLanes(whole))[8] == -9);
+}
