@@ -95,7 +95,7 @@ template <int Words, int Size>
     }
 }
 
-/// Sixteen whole numbers as two halves of doubles: pairs of the first two i, and of the others.
+/// Sixteen numbers as two halves of doubles: pairs of the first two i, and of the others.
 inline Lanes lowLanes(WholeTile a) {
     const auto h = __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7);
 #if defined(__AVX512F__)
@@ -107,6 +107,12 @@ inline Lanes lowLanes(WholeTile a) {
 inline Lanes highLanes(WholeTile a) {
     return lowLanes(
         __builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+}
+inline Lanes lowLanes(FloatTile a) {
+    return toLanes(__builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7));
+}
+inline Lanes highLanes(FloatTile a) {
+    return toLanes(__builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15));
 }
 inline FloatTile joinTile(Lanes low, Lanes high) {
     return __builtin_shufflevector(toFloat(low), toFloat(high), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,

@@ -38,7 +38,7 @@ class TileRecords {
         parallelFor(records_.size(), [&](std::size_t s) {
             records_[s] = {};
             for (std::size_t k = 0; k < Dim; ++k)
-                records_[s].place[k] = tiles.place(static_cast<Index>(s))[k];
+                records_[s].place[k] = tiles.place(static_cast<Index>(s)).whole[k];
         });
     }
     /// write(record, i) for all particles, then copies get what was written.

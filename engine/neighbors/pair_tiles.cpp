@@ -19,10 +19,14 @@ constexpr double weight_scale = 0x1p48;
 
 template <int Dim>
 typename PairTiles<Dim>::Place placeOf(const Vec<Dim>& x, double per_unit) {
-    typename PairTiles<Dim>::Place place{};
-    for (int k = 0; k < Dim; ++k)
-        place[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(
-            static_cast<std::uint32_t>(static_cast<std::int64_t>(std::nearbyint(x[k] * per_unit))));
+    typename PairTiles<Dim>::Place place;
+    for (int k = 0; k < Dim; ++k) {
+        const double exact = x[k] * per_unit;
+        const double whole = std::nearbyint(exact);
+        place.whole[k] =
+            static_cast<std::int32_t>(static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
+        place.rest[k] = static_cast<float>(exact - whole);
+    }
     return place;
 }
 
@@ -117,9 +121,11 @@ void PairTiles<Dim>::makeCopies(const Vec<Dim>* position, std::size_t n, const B
             const Vec<Dim> x = position[i] + shift;
             if (!around.contains(x)) continue;
             Place place = placeOf<Dim>(position[i], per_unit);
-            for (std::size_t k = 0; k < Dim; ++k)
-                place[k] = static_cast<std::int32_t>(static_cast<std::uint32_t>(place[k]) +
-                                                     static_cast<std::uint32_t>(shifted[k]));
+            // Of the period no rest is taken: so the pair is the same from either side.
+            for (int k = 0; k < Dim; ++k)
+                place.whole[k] =
+                    static_cast<std::int32_t>(static_cast<std::uint32_t>(place.whole[k]) +
+                                              static_cast<std::uint32_t>(shifted.whole[k]));
             copies_.push_back(static_cast<Index>(i));
             copy_places_.push_back(place);
             copy_positions_.push_back(x);
@@ -199,23 +205,28 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
     for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c) {
         const Index first = chunk.first_slot + static_cast<Index>(c) * tile_side;
         const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
-        FloatQuad quads[4];
-        gatherWords<4>(words, own, quads);
-        WholeTile xi[Dim];
-        for (int k = 0; k < Dim; ++k) xi[k] = reinterpret_cast<WholeTile>(ofEachI(quads[k]));
+        FloatQuad quads[Place::size];
+        gatherWords<Place::words>(words, own, quads);
+        WholeTile whole[Dim];
+        FloatTile rest[Dim];
+        for (int k = 0; k < Dim; ++k) {
+            whole[k] = reinterpret_cast<WholeTile>(ofEachI(quads[k]));
+            rest[k] = ofEachI(quads[Dim + k]);
+        }
         int filled = tile_side;  // empty slots are the last ones of a cluster
         while (columns_.point(first + static_cast<Index>(filled) - 1) == none) --filled;
         const WholeTile is_i = lane_i < filled;
 
         ExactTile sum[1] = {};
         const auto weighTile = [&](WholeTile is_pair) {
-            gatherWords<4>(words, j, quads);
+            gatherWords<Place::words>(words, j, quads);
             Lanes low2 = {}, high2 = {};
             for (int k = 0; k < Dim; ++k) {
-                WholeTile d = reinterpret_cast<WholeTile>(ofEachJ(quads[k])) - xi[k];
+                WholeTile d = reinterpret_cast<WholeTile>(ofEachJ(quads[k])) - whole[k];
                 if (k == 0) d = is_pair ? d : beyond + WholeTile{};
-                const Lanes low = lowLanes(d);
-                const Lanes high = highLanes(d);
+                const FloatTile d_rest = ofEachJ(quads[Dim + k]) - rest[k];
+                const Lanes low = lowLanes(d) + lowLanes(d_rest);
+                const Lanes high = highLanes(d) + highLanes(d_rest);
                 low2 += low * low;
                 high2 += high * high;
             }

@@ -26,7 +26,13 @@ template <int Dim>
 class PairTiles {
  public:
     static constexpr Index none = Columns<Dim>::none;
-    using Place = std::array<std::int32_t, 4>;
+    /// Where a particle stands: a whole number of units, and what rounding has left of it.
+    struct alignas(Dim == 2 ? 16 : 32) Place {
+        std::int32_t whole[Dim] = {};
+        float rest[Dim] = {};
+        static constexpr int words = 2 * Dim;
+        static constexpr int size = Dim == 2 ? 4 : 8;
+    };
 
     struct Range {
         std::uint32_t one_sided;  ///< first tile of the cluster

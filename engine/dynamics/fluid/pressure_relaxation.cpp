@@ -87,8 +87,8 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     using SolidLoad<Dim>::body_;
 
     void predict(double dt);
-    /// The mean weight of the fluid in the frame of its walls.
-    void findWeight();
+    /// The mean weight of the fluid in the frame of its walls, and its mean velocity.
+    void findMeans();
     /// Gives back what elastic solids have lost by the impedance of the fluid (Radiation).
     void addSlipImpulses();
     /// That impulse on particle i from one of them.
@@ -119,8 +119,9 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     double cell_;         // volume of a particle of the lattice
     bool loads_solids_;   // that answer to forces
     double last_dt_ = 0;  // of the last slips
-    // Per volume, found in the first step of each interval: no state of a restart.
-    Vec<Dim> weight_ = Vec<Dim>::Zero();
+    // Found in the first step of each interval: no state of a restart.
+    Vec<Dim> weight_ = Vec<Dim>::Zero();         // per volume
+    Vec<Dim> mean_velocity_ = Vec<Dim>::Zero();  // in records it is taken off, which saves digits
     double interval_start_ = nan_value;
     Surroundings<Dim> around_;
 
@@ -182,7 +183,7 @@ void PressureRelaxation<Dim>::firstHalf(const Clock& clock) {
     if (loads_solids_) before_.resize(body_->held());
     if (clock.interval_start != interval_start_) {
         interval_start_ = clock.interval_start;
-        findWeight();
+        findMeans();
     }
     predict(dt);
     withRiemann(riemann_, [&]<Riemann R>() { momentum<R>(dt); });
@@ -210,7 +211,7 @@ void PressureRelaxation<Dim>::predict(double dt) {
         records_.fill(around_.own(), [&, density = density_.data(), rate = density_rate_.data(),
                                       slack = slack_.data(), mass = mass_.data(),
                                       pressure_of = pressure_.data(), volume = volume_.data(),
-                                      position = position_.data(), velocity = velocity_.data()](
+                                      position = position_.data(), velocity = velocity_.data(), mean = mean_velocity_](
                                          TileRecord<Dim>& record, Index i)
                                          __attribute__((always_inline)) {
             const double rho = density[i] + half * rate[i];
@@ -222,7 +223,7 @@ void PressureRelaxation<Dim>::predict(double dt) {
             volume[i] = V;
             const Vec<Dim> v = velocity[i];
             position[i] += half * v;
-            for (int c = 0; c < Dim; ++c) record.v[c] = static_cast<float>(per_c0 * v[c]);
+            for (int c = 0; c < Dim; ++c) record.v[c] = static_cast<float>(per_c0 * (v[c] - mean[c]));
             record.p = static_cast<float>(per_pressure * p);
             record.V = static_cast<float>(per_cell * V);
         });
@@ -240,8 +241,10 @@ void PressureRelaxation<Dim>::predict(double dt) {
 }
 
 template <int Dim>
-void PressureRelaxation<Dim>::findWeight() {
-    Mean<Dim> external, walls;
+void PressureRelaxation<Dim>::findMeans() {
+    Mean<Dim> velocity, external, walls;
+    velocity.add(velocity_, body_->size());
+    mean_velocity_ = velocity.value();
     external.add(external_, body_->size());
     for (const auto& wall : around_.walls())
         if (wall.fields.acceleration) walls.add(*wall.fields.acceleration, wall.body->size());
@@ -285,7 +288,7 @@ void PressureRelaxation<Dim>::momentum(double dt) {
     forces_.forEach(tiles, [&, velocity = velocity_.data(), external = external_.data(),
                             mass = mass_.data(), pressure = pressure_.data(),
                             position = position_.data(), records = records_.data(),
-                            weight = weight_](Index i, Index slot, const ExactNumber* own)
+                            weight = weight_, mean = mean_velocity_](Index i, Index slot, const ExactNumber* own)
                                __attribute__((always_inline)) {
         const Vec<Dim> v = velocity[i];
         const Vec<Dim> g = external[i];
@@ -299,7 +302,7 @@ void PressureRelaxation<Dim>::momentum(double dt) {
         for (int c = 0; c < Dim; ++c) {
             const double vc = v[c] + factor * force[c] + dt * g[c];
             velocity[i][c] = vc;
-            next.v[c] = static_cast<float>(per_c0 * vc);
+            next.v[c] = static_cast<float>(per_c0 * (vc - mean[c]));
         }
         const double p = pressure[i] - dot<Dim>(weight.data(), position[i].data());
         next.p = static_cast<float>(per_pressure * p);
@@ -345,7 +348,8 @@ void PressureRelaxation<Dim>::addSlipImpulses() {
             velocity_[i] += slipImpulse(wall.fields, wall.list(), i) / mass_[i];
             TileRecord<Dim>& record = records_[static_cast<Index>(s)];
             for (int c = 0; c < Dim; ++c)
-                record.v[c] = static_cast<float>(velocity_[i][c] / constants_.c0);
+                record.v[c] =
+                    static_cast<float>((velocity_[i][c] - mean_velocity_[c]) / constants_.c0);
         });
     }
 }

@@ -4,6 +4,7 @@
 
 #include "core/exact_sum.h"
 #include "core/sum_all.h"
+#include "dynamics/fluid/largest.h"
 #include "dynamics/fluid/solid_load.h"
 #include "dynamics/fluid/surroundings.h"
 #include "dynamics/fluid/viscous_bound.h"
@@ -15,6 +16,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 namespace sphinx::dynamics::fluid {
 namespace {
@@ -102,7 +105,7 @@ class ViscousForce final : public SolidLoad<Dim> {
     double factor_;   // dynamic viscosity times 2 L or 2 (d + 2)
     double largest_;  // that sums over pairs may reach
     Surroundings<Dim> around_;
-    TileRecords<Dim> records_;  // velocities in units of c0, volumes in those of a cell
+    TileRecords<Dim> records_;  // velocities as whole numbers, volumes in those of a cell
     TileSums<Dim, Dim> sums_;
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& external_;
@@ -149,27 +152,36 @@ template <ViscousForm F>
 void ViscousForce<Dim>::accelerate() {
     const PairTiles<Dim>& tiles = around_.own();
     using Side = TileSide<Dim>;
-    const double c0 = body_->fluid().material->soundSpeed();
     const double cell = std::pow(body_->spacing, Dim);
+    // Velocities as whole numbers: so their differences, of which viscosity lives, are exact.
+    const double fastest = std::sqrt(largestSquaredSpeed<Dim>(*body_));
+    const double speed = fastest > 0 ? fastest : body_->fluid().material->soundSpeed();
+    constexpr double steps = 0x1p29;  // differences are below 2^31
+    const auto wholeOf = [&](double v) {
+        return std::bit_cast<float>(static_cast<std::int32_t>(std::nearbyint(v * (steps / speed))));
+    };
     records_.follow(tiles);
     records_.fill(tiles, [&](TileRecord<Dim>& record, Index i) {
-        for (int c = 0; c < Dim; ++c) record.v[c] = static_cast<float>(velocity_[i][c] / c0);
+        for (int c = 0; c < Dim; ++c) record.v[c] = wholeOf(velocity_[i][c]);
         record.V = static_cast<float>(volume_[i] / cell);
     });
-    // The weight is abs(W')/r, where sums are made for abs(W'): r is about so many places.
-    constexpr double places = 0x1p28;
+    // The weight is abs(W')/r, where sums are made for abs(W'): r is about 2^28 places. Forces are
+    // of the order of v_ij and not of its part along r, so some bits are left for that.
+    constexpr double places = 0x1p24;
     sums_.template add<Reaction::opposite>(
         tiles, records_,
         [](const Side& i, const Side& j, const TilePairs<Dim>& pair, FloatTile(&on_i)[Dim],
            FloatTile(&)[Dim]) {
             FloatTile v_ij[Dim];
-            for (int c = 0; c < Dim; ++c) v_ij[c] = i.v[c] - j.v[c];
-            const FloatTile V = (pair.weight * static_cast<float>(places)) * (i.V * j.V);
+            for (int c = 0; c < Dim; ++c)
+                v_ij[c] = toFloat(reinterpret_cast<WholeTile>(i.v[c]) -
+                                  reinterpret_cast<WholeTile>(j.v[c]));
+            const FloatTile V = (pair.weight * static_cast<float>(places / steps)) * (i.V * j.V);
             const FloatTile f = viscousFactor<F, Dim, FloatTile>(pair, v_ij, pair.dW, V);
             const auto& direction = viscousDirection<F, Dim, FloatTile>(pair, v_ij);
             for (int c = 0; c < Dim; ++c) on_i[c] = f * direction[c];
         });
-    const double unit = c0 * cell * cell * tiles.gradientUnit() / (places * tiles.placeUnit());
+    const double unit = speed * cell * cell * tiles.gradientUnit() / (places * tiles.placeUnit());
     sums_.forEach(tiles, [&](Index i, Index, const ExactNumber* own) {
         const Vec<Dim> v = velocity_[i];
         Vec<Dim> force;

@@ -65,7 +65,7 @@ double shareOfViscosity(const std::vector<Vec<Dim>>& points, const std::string& 
 
 TEMPLATE_TEST_CASE_SIG("on a lattice the laplacian is exact", "", ((int Dim), Dim), 2, 3) {
     const auto lattice = rows<Dim>(5, [](int) { return 0; });
-    CHECK(std::abs(shareOfViscosity<Dim>(lattice, "laplacian") - 1) < list_error);
+    CHECK(std::abs(shareOfViscosity<Dim>(lattice, "laplacian") - 1) < pair_error);
 }
 
 TEST_CASE("rows that glide past each other keep the laplacian, not the central force") {
@@ -88,7 +88,7 @@ TEST_CASE("where sixfold symmetry makes neighbors alike the central force is exa
     for (int j = -9; j <= 9; ++j)
         for (int i = -9; i <= 9; ++i)
             points.push_back(edge * spacing * Vec<2>(i + 0.5 * j, 0.5 * std::sqrt(3.0) * j));
-    CHECK(std::abs(shareOfViscosity<2>(points, "central") - 1) < list_error);
+    CHECK(std::abs(shareOfViscosity<2>(points, "central") - 1) < pair_error);
 }
 
 TEST_CASE("a free drop that turns") {
@@ -111,13 +111,13 @@ TEST_CASE("a free drop that turns") {
     SECTION("feels no central force") {
         Sample<2> fluid(points, rigid, "central");
         for (std::size_t i = 0; i < points.size(); ++i)
-            CHECK(fluid.acceleration(i).norm() < list_error * scale);
+            CHECK(fluid.acceleration(i).norm() < pair_error * scale);
     }
     SECTION("is slowed by the laplacian, but only at its surface") {
         Sample<2> fluid(points, rigid, "laplacian");
         for (std::size_t i = 0; i < points.size(); ++i)
             if (points[i].norm() < radius - 4 * spacing)
-                CHECK(fluid.acceleration(i).norm() < list_error * scale);
+                CHECK(fluid.acceleration(i).norm() < pair_error * scale);
         // -2 mu turn area: the angular momentum decays at the rate 4 nu / radius^2. At the surface
         // the sums of the kernel miss the neighbors of a strip of half a spacing or so.
         const double area = std::numbers::pi * radius * radius;

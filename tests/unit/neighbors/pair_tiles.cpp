@@ -61,11 +61,10 @@ void compareWithAllPairs(const std::vector<Vec<Dim>>& points, kernels::KernelTyp
                     if (both) ++seen[{j, i}];
                     Vec<Dim> d;
                     for (int a = 0; a < Dim; ++a) {
-                        const auto at = static_cast<std::size_t>(a);
                         d[a] = tiles.placeUnit() *
                                static_cast<std::int32_t>(
-                                   static_cast<std::uint32_t>(tiles.place(si)[at]) -
-                                   static_cast<std::uint32_t>(tiles.place(sj)[at]));
+                                   static_cast<std::uint32_t>(tiles.place(si).whole[a]) -
+                                   static_cast<std::uint32_t>(tiles.place(sj).whole[a]));
                     }
                     const Vec<Dim> exact = domain.difference(points[i], points[j]);
                     const double gradient =
