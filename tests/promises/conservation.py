@@ -15,9 +15,6 @@ from support import Promise, last_restart, load_case
 MOMENTUM_DRIFT = 1e-12
 # In particle spacings, as for a mirrored run.
 POSITION_ERROR = 1e-9
-# The same of a fluid that drifts: places are rounded, and of a fluid's pairs the last bit of single
-# precision depends on where they are.
-DRIFT_ERROR = 1e-6
 SPACING = 0.05
 # Of the weight's impulse in the same time.
 IMPULSE_ERROR = 1e-3
@@ -122,7 +119,7 @@ class Conservation(Promise):
         difference = found["drift"] - found["rest"]
         difference -= 2 * np.round(difference / 2)  # the box is 2 wide
         print(f"drifting block: {np.abs(difference).max() / SPACING:.1e} spacings off")
-        self.assertLessEqual(np.abs(difference).max(), DRIFT_ERROR * SPACING)
+        self.assertLessEqual(np.abs(difference).max(), POSITION_ERROR * SPACING)
 
     def test_drifting_elastic_block(self):
         """It crosses the periodic sides as a whole."""
