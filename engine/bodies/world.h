@@ -5,6 +5,7 @@
 #include "bodies/body.h"
 #include "bodies/domain.h"
 #include "core/place_text.h"
+#include "core/precision.h"
 #include "input/expressions/units.h"
 
 #include <experimental/propagate_const>
@@ -23,6 +24,7 @@ template <int Dim>
 struct World {
     input::UnitSystem units;  ///< of messages
     Domain<Dim> domain;
+    Precision precision = Precision::single;  ///< of the terms of a fluid's own pairs
     /// Of a const world the bodies are const, too.
     using OwnedBody = std::experimental::propagate_const<std::unique_ptr<Body<Dim>>>;
     std::vector<OwnedBody> bodies;

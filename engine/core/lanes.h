@@ -20,6 +20,7 @@ using Lanes = double __attribute__((vector_size(64)));
 using FloatLanes = float __attribute__((vector_size(32)));
 /// The pairs of four particles with four others (core/tile.h).
 using FloatTile = float __attribute__((vector_size(64)));
+using DoubleTile = double __attribute__((vector_size(128)));
 using HalfLanes = double __attribute__((vector_size(32)));
 using LaneMask = std::int64_t __attribute__((vector_size(64)));
 using WholeLanes = std::int32_t __attribute__((vector_size(32)));

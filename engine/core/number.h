@@ -7,17 +7,19 @@
 #include <cmath>
 #include <type_traits>
 
-// What pair terms ask of a number, which is double, eight of them (Lanes), or sixteen floats
-// (FloatTile).
+// What pair terms ask of a number, which is double, eight of them (Lanes), or sixteen floats or
+// doubles (FloatTile, DoubleTile).
 namespace sphinx {
 
 template <class Number>
-inline constexpr bool is_tile = std::is_same_v<Number, FloatTile>;
+inline constexpr bool is_tile =
+    std::is_same_v<Number, FloatTile> || std::is_same_v<Number, DoubleTile>;
 
 /// The number of which `Number` holds one or more.
 template <class Number>
-using ScalarOf = std::conditional_t<std::is_arithmetic_v<Number>, Number,
-                                    std::conditional_t<is_tile<Number>, float, double>>;
+using ScalarOf =
+    std::conditional_t<std::is_arithmetic_v<Number>, Number,
+                       std::conditional_t<std::is_same_v<Number, FloatTile>, float, double>>;
 
 /// The same value in each lane.
 template <class Number>
@@ -25,20 +27,23 @@ template <class Number>
     const auto value = static_cast<ScalarOf<Number>>(a);
     if constexpr (std::is_arithmetic_v<Number>)
         return value;
-    else if constexpr (is_tile<Number>)
+    else if constexpr (std::is_same_v<Number, FloatTile>)
         return tile(value);
+    else if constexpr (is_tile<Number>)
+        return Number{value, value, value, value, value, value, value, value,
+                      value, value, value, value, value, value, value, value};
     else
         return Number{value, value, value, value, value, value, value, value};
 }
 
 template <class Number>
 [[gnu::always_inline]] inline Number larger(Number a, Number b) {
-    if constexpr (is_tile<Number>) return maxTile(a, b);
+    if constexpr (std::is_same_v<Number, FloatTile>) return maxTile(a, b);
     return a > b ? a : b;
 }
 template <class Number>
 [[gnu::always_inline]] inline Number smaller(Number a, Number b) {
-    if constexpr (is_tile<Number>) return minTile(a, b);
+    if constexpr (std::is_same_v<Number, FloatTile>) return minTile(a, b);
     return a < b ? a : b;
 }
 template <class Number>
@@ -48,8 +53,8 @@ template <class Number>
 
 /// Sum over the components of a_c b_c. Every product is rounded before it is added: of a product
 /// fused with the addition and one that is not, the components of a turned case would change
-/// places. (Tiles are for files that fuse nothing: of a
-/// tile GCC 12 makes sixteen numbers behind its barrier.)
+/// places. (Tiles are for files that fuse nothing: of a tile GCC 12 makes sixteen numbers behind
+/// its barrier.)
 template <int Dim, class Number>
 [[gnu::always_inline]] inline Number dot(const Number* a, const Number* b) {
     const auto product = [&](int c) {

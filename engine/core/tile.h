@@ -4,24 +4,32 @@
 
 #include "core/lanes.h"
 
-// A tile holds the pairs of four particles i with four particles j in one vector of sixteen floats:
-// the pair of i and j stands in lane 4 i + j. All that needs to know so, or the instruction set, is
-// in this file.
+// A tile holds the pairs of four particles i with four particles j as one vector of sixteen
+// numbers, floats or doubles: the pair of i and j stands in lane 4 i + j. All that needs to know
+// so, or the instruction set, is in this file.
 namespace sphinx {
 
 inline constexpr int tile_side = 4;
 inline constexpr int tile_size = tile_side * tile_side;
 
 using WholeTile = std::int32_t __attribute__((vector_size(64)));
+/// Sixteen numbers of a precision, float or double.
+template <class Real>
+using TileOf = std::conditional_t<std::is_same_v<Real, float>, FloatTile, DoubleTile>;
 /// One number of each of four particles.
 using FloatQuad = float __attribute__((vector_size(16)));
+using DoubleQuad = double __attribute__((vector_size(32)));
+template <class Real>
+using QuadOf = std::conditional_t<std::is_same_v<Real, float>, FloatQuad, DoubleQuad>;
 
-inline FloatTile loadTile(const float* p) {
-    FloatTile a;
+template <class Real>
+inline TileOf<Real> loadTile(const Real* p) {
+    TileOf<Real> a;
     std::memcpy(&a, p, sizeof a);
     return a;
 }
 inline void storeTile(FloatTile a, float* p) { std::memcpy(p, &a, sizeof a); }
+inline void storeTile(DoubleTile a, double* p) { std::memcpy(p, &a, sizeof a); }
 
 inline FloatTile toFloat(WholeTile a) {
 #if defined(__AVX512F__)
@@ -48,7 +56,24 @@ inline FloatTile inverseSqrtTile(FloatTile a) {
 #endif
 }
 
+/// Of two halves: the pairs of the first two i, and of the others.
+inline DoubleTile joinTile(Lanes low, Lanes high) {
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+inline Lanes lowLanes(DoubleTile a) {
+    return __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+inline Lanes highLanes(DoubleTile a) {
+    return __builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+inline DoubleTile inverseSqrtTile(DoubleTile a) {
+    return joinTile(inverseSqrtLanes(lowLanes(a)), inverseSqrtLanes(highLanes(a)));
+}
+
 /// a of each j in the lanes of its pairs.
+inline DoubleTile ofEachJ(DoubleQuad a) {
+    return __builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
+}
 inline FloatTile ofEachJ(FloatQuad a) {
 #if defined(__AVX512F__)
     return reinterpret_cast<FloatTile>(
@@ -58,6 +83,9 @@ inline FloatTile ofEachJ(FloatQuad a) {
 #endif
 }
 /// a of each i in the lanes of its pairs.
+inline DoubleTile ofEachI(DoubleQuad a) {
+    return __builtin_shufflevector(a, a, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
+}
 inline FloatTile ofEachI(FloatQuad a) {
 #if defined(__AVX512F__)
     return reinterpret_cast<FloatTile>(_mm512_maskz_permutexvar_ps(
@@ -70,32 +98,33 @@ inline FloatTile ofEachI(FloatQuad a) {
 
 /// The first `Words` words (an even number) of records of `Size` of the four particles at[0] to
 /// at[3], transposed: out[c] is word c of all four.
-template <int Words, int Size>
-[[gnu::always_inline]] inline void gatherWords(const float* records, const std::uint32_t* at,
-                                               FloatQuad (&out)[Size]) {
+template <int Words, class Real, int Size>
+[[gnu::always_inline]] inline void gatherWords(const Real* records, const std::uint32_t* at,
+                                               QuadOf<Real> (&out)[Size]) {
+    using Quad = QuadOf<Real>;
     const auto four = [&](int k, int first) {
-        FloatQuad a;
+        Quad a;
         std::memcpy(&a, records + std::size_t{Size} * at[k] + first, sizeof a);
         return a;
     };
     for (int first = 0; first < Words; first += 4) {
-        const FloatQuad a = four(0, first);
-        const FloatQuad b = four(1, first);
-        const FloatQuad c = four(2, first);
-        const FloatQuad d = four(3, first);
-        const FloatQuad ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-        const FloatQuad cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+        const Quad a = four(0, first);
+        const Quad b = four(1, first);
+        const Quad c = four(2, first);
+        const Quad d = four(3, first);
+        const Quad ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+        const Quad cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
         out[first] = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
         out[first + 1] = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
         if (first + 2 >= Words) continue;
-        const FloatQuad AB = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-        const FloatQuad CD = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+        const Quad AB = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+        const Quad CD = __builtin_shufflevector(c, d, 2, 6, 3, 7);
         out[first + 2] = __builtin_shufflevector(AB, CD, 0, 1, 4, 5);
         out[first + 3] = __builtin_shufflevector(AB, CD, 2, 3, 6, 7);
     }
 }
 
-/// Sixteen numbers as two halves of doubles: pairs of the first two i, and of the others.
+/// Sixteen numbers as two halves of doubles.
 inline Lanes lowLanes(WholeTile a) {
     const auto h = __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7);
 #if defined(__AVX512F__)
@@ -114,7 +143,7 @@ inline Lanes lowLanes(FloatTile a) {
 inline Lanes highLanes(FloatTile a) {
     return toLanes(__builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15));
 }
-inline FloatTile joinTile(Lanes low, Lanes high) {
+inline FloatTile joinFloats(Lanes low, Lanes high) {
     return __builtin_shufflevector(toFloat(low), toFloat(high), 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
                                    11, 12, 13, 14, 15);
 }
@@ -148,6 +177,7 @@ struct ExactTile {
 
     ExactTile() = default;
     ExactTile(Lanes a, Lanes b) : low(toExact(a)), high(toExact(b)) {}
+    explicit ExactTile(DoubleTile a) : ExactTile(lowLanes(a), highLanes(a)) {}
     explicit ExactTile(FloatTile a) {
         const FloatLanes l = __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7);
         const FloatLanes h = __builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15);
@@ -258,6 +288,9 @@ template <int N, int Sign>
 }
 
 /// Bit k is set where a[k] < b[k].
+inline unsigned lessBits(DoubleTile a, DoubleTile b) {
+    return lessBits(lowLanes(a), lowLanes(b)) | lessBits(highLanes(a), highLanes(b)) << lane_count;
+}
 inline unsigned lessBits(FloatTile a, FloatTile b) {
 #if defined(__AVX512F__)
     return _mm512_cmp_ps_mask(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b), _CMP_LT_OQ);

@@ -10,23 +10,37 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 // Sums over the pairs of a fluid's own particles, sixteen at a time (neighbors/pair_tiles.h). In
 // files that fuse no product and sum.
 namespace sphinx::dynamics {
 
-/// What pair terms read of the particle in a slot, as floats in one half of a cache line. What the
-/// numbers are measured in is up to who fills it, but of the size of 1. An empty slot has zeros.
-template <int Dim>
-struct alignas(32) TileRecord {
-    std::int32_t place[Dim];
-    float v[Dim];  ///< velocity
-    float p;       ///< pressure
-    float V;       ///< volume
+/// Where a particle stands, as wide as the numbers beside it: in units of PairTiles, with what
+/// rounding has left where there is room for it.
+template <class Real>
+struct PlaceWord {
+    std::int32_t whole;
+};
+template <>
+struct PlaceWord<double> {
+    std::int32_t whole;
+    float rest;
+};
+
+/// What pair terms read of the particle in a slot, in one half of a cache line, of doubles in a
+/// whole one. What the numbers are measured in is up to who fills it, but of the size of 1. An
+/// empty slot has zeros.
+template <int Dim, class Real>
+struct alignas(8 * sizeof(Real)) TileRecord {
+    PlaceWord<Real> place[Dim];
+    Real v[Dim];  ///< velocity
+    Real p;       ///< pressure
+    Real V;       ///< volume
     static constexpr int words = 2 * Dim + 2;
 };
 
-/// One for each slot, copies included.
+/// One for each slot, copies included, in the precision of the tiles.
 template <int Dim>
 class TileRecords {
  public:
@@ -34,72 +48,116 @@ class TileRecords {
     void follow(const PairTiles<Dim>& tiles) {
         if (builds_ == tiles.builds()) return;
         builds_ = tiles.builds();
-        records_.resize(tiles.slots());
-        parallelFor(records_.size(), [&](std::size_t s) {
-            records_[s] = {};
-            for (std::size_t k = 0; k < Dim; ++k)
-                records_[s].place[k] = tiles.place(static_cast<Index>(s)).whole[k];
+        withPrecision(tiles.precision(), [&]<class Real>() {
+            auto& records = of<Real>();
+            records.resize(tiles.slots());
+            parallelFor(records.size(), [&](std::size_t s) {
+                records[s] = {};
+                const auto& place = tiles.place(static_cast<Index>(s));
+                for (std::size_t k = 0; k < Dim; ++k) {
+                    records[s].place[k].whole = place.whole[k];
+                    if constexpr (std::is_same_v<Real, double>)
+                        records[s].place[k].rest = place.rest[k];
+                }
+            });
         });
     }
     /// write(record, i) for all particles, then copies get what was written.
-    template <class Write>
+    template <class Real, class Write>
     void fill(const PairTiles<Dim>& tiles, Write&& write) {
         const Index* particles = tiles.particles();
-        TileRecord<Dim>* records = records_.data();
+        TileRecord<Dim, Real>* records = data<Real>();
         parallelRanges(tiles.firstCopy(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t s = begin; s < end; ++s)
                 if (particles[s] != PairTiles<Dim>::none) write(records[s], particles[s]);
         });
-        updateCopies(tiles);
+        updateCopies<Real>(tiles);
     }
+    template <class Real>
     void updateCopies(const PairTiles<Dim>& tiles) {
+        TileRecord<Dim, Real>* records = data<Real>();
         for (Index slot = tiles.firstCopy(); slot < tiles.slots(); ++slot) {
             const Index original = tiles.original(slot);
             if (original == PairTiles<Dim>::none) continue;
-            const auto place = std::to_array(records_[slot].place);
-            records_[slot] = records_[original];
-            std::ranges::copy(place, records_[slot].place);
+            const auto place = std::to_array(records[slot].place);
+            records[slot] = records[original];
+            std::ranges::copy(place, records[slot].place);
         }
     }
-    TileRecord<Dim>* data() { return records_.data(); }
-    TileRecord<Dim>& operator[](Index slot) { return records_[slot]; }
-    const TileRecord<Dim>& operator[](Index slot) const { return records_[slot]; }
-    const float* words() const { return reinterpret_cast<const float*>(records_.data()); }
+    template <class Real>
+    TileRecord<Dim, Real>* data() {
+        return of<Real>().data();
+    }
+    template <class Real>
+    const Real* words() const {
+        return reinterpret_cast<const Real*>(
+            std::get<AlignedVector<TileRecord<Dim, Real>>>(records_).data());
+    }
 
  private:
+    template <class Real>
+    auto& of() {
+        return std::get<AlignedVector<TileRecord<Dim, Real>>>(records_);
+    }
+
     std::uint64_t builds_ = 0;
-    AlignedVector<TileRecord<Dim>> records_;
+    std::tuple<AlignedVector<TileRecord<Dim, float>>, AlignedVector<TileRecord<Dim, double>>>
+        records_;
 };
 
 /// Either side of the pairs of a tile.
-template <int Dim>
+template <int Dim, class Real>
 struct TileSide {
-    WholeTile place[Dim];
-    FloatTile v[Dim], p, V;
+    QuadOf<Real> place[Dim];  // as stored
+    TileOf<Real> v[Dim], p, V;
 };
 
 namespace detail {
-template <int Dim, class Spread>
-[[gnu::always_inline]] inline TileSide<Dim> loadSide(const float* words, const std::uint32_t* slots,
-                                                     Spread&& spread) {
-    FloatQuad quads[8];
-    gatherWords<TileRecord<Dim>::words>(words, slots, quads);
-    TileSide<Dim> side;
+template <int Dim, class Real, class Spread>
+[[gnu::always_inline]] inline TileSide<Dim, Real> loadSide(const Real* words,
+                                                           const std::uint32_t* slots,
+                                                           Spread&& spread) {
+    QuadOf<Real> quads[8];
+    gatherWords<TileRecord<Dim, Real>::words>(words, slots, quads);
+    TileSide<Dim, Real> side;
     for (int c = 0; c < Dim; ++c) {
-        side.place[c] = reinterpret_cast<WholeTile>(spread(quads[c]));
+        side.place[c] = quads[c];
         side.v[c] = spread(quads[Dim + c]);
     }
     side.p = spread(quads[2 * Dim]);
     side.V = spread(quads[2 * Dim + 1]);
     return side;
 }
+/// How far j stands from i, in units of place.
+[[gnu::always_inline]] inline FloatTile placeDifference(FloatQuad i, FloatQuad j) {
+    return toFloat(reinterpret_cast<WholeTile>(ofEachJ(j)) -
+                   reinterpret_cast<WholeTile>(ofEachI(i)));
+}
+[[gnu::always_inline]] inline DoubleTile placeDifference(DoubleQuad i, DoubleQuad j) {
+    using Words = float __attribute__((vector_size(32)));
+    const auto part = [](DoubleQuad a, auto rest) -> FloatQuad {
+        const auto words = reinterpret_cast<Words>(a);
+        if constexpr (rest)
+            return __builtin_shufflevector(words, words, 1, 3, 5, 7);
+        else
+            return __builtin_shufflevector(words, words, 0, 2, 4, 6);
+    };
+    constexpr std::false_type whole;
+    constexpr std::true_type rest;
+    const WholeTile d = reinterpret_cast<WholeTile>(ofEachJ(part(j, whole))) -
+                        reinterpret_cast<WholeTile>(ofEachI(part(i, whole)));
+    const FloatTile d_rest_j = ofEachJ(part(j, rest));
+    const FloatTile d_rest_i = ofEachI(part(i, rest));
+    return joinTile(lowLanes(d) + (lowLanes(d_rest_j) - lowLanes(d_rest_i)),
+                    highLanes(d) + (highLanes(d_rest_j) - highLanes(d_rest_i)));
+}
 }  // namespace detail
 
 /// Sixteen pairs: gradient and dW in a unit of which each pair has `weight`, so a term that is
 /// linear in them is multiplied by it once. It is 0 where there is no pair.
-template <int Dim>
-struct TilePairs : Pair<Dim, FloatTile> {
-    FloatTile weight;
+template <int Dim, class Real>
+struct TilePairs : Pair<Dim, TileOf<Real>> {
+    TileOf<Real> weight;
 };
 
 /// Terms that i and j get; what j gets is not asked for where the pair is seen from both sides.
@@ -113,13 +171,13 @@ enum class Reaction {
 template <int Dim, int N>
 class TileSums {
  public:
-    template <Reaction reaction, class Term>
+    template <Reaction reaction, class Real, class Term>
     void add(const PairTiles<Dim>& tiles, const TileRecords<Dim>& records, Term&& term) {
         sums_.resize(sum_stride<N> * tiles.sumCount());
-        const float* words = records.words();
+        const Real* words = records.template words<Real>();
         parallelFor(
             tiles.chunks().size(),
-            [&](std::size_t c) { addChunk<reaction>(tiles.chunks()[c], words, term); }, 1);
+            [&](std::size_t c) { addChunk<reaction, Real>(tiles.chunks()[c], words, term); }, 1);
     }
     /// f(particle, slot, sums) for all particles, after add().
     template <class Function>
@@ -141,28 +199,30 @@ class TileSums {
     }
 
  private:
-    template <Reaction reaction, class Term>
-    void addChunk(const typename PairTiles<Dim>::Chunk& chunk, const float* words, Term& term) {
+    template <Reaction reaction, class Real, class Term>
+    void addChunk(const typename PairTiles<Dim>::Chunk& chunk, const Real* words, Term& term) {
+        using Tile = TileOf<Real>;
         ExactNumber* sums = PairTiles<Dim>::sumsOf(chunk, sum_stride<N>, sums_.data());
         std::fill(sums + sum_stride<N> * std::size_t{chunk.first_slot},
                   sums + sum_stride<N> * std::size_t{chunk.reach_end}, ExactNumber{});
         const std::uint32_t* j = chunk.j.data();
-        const float* weight = chunk.weight.data();
+        const Real* weight = chunk.template weights<Real>().data();
         for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c) {
             const Index first = chunk.first_slot + static_cast<Index>(c) * tile_side;
             const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
-            const auto i = detail::loadSide<Dim>(words, own, ofEachI);
+            const auto i = detail::loadSide<Dim>(words, own, [](auto a) { return ofEachI(a); });
             ExactTile sum[N] = {};
-            const auto tile = [&](FloatTile(&on_j)[N]) {
-                const auto other = detail::loadSide<Dim>(words, j, ofEachJ);
-                TilePairs<Dim> pairs;
+            const auto tile = [&](Tile(&on_j)[N]) {
+                const auto other =
+                    detail::loadSide<Dim>(words, j, [](auto a) { return ofEachJ(a); });
+                TilePairs<Dim, Real> pairs;
                 for (int k = 0; k < Dim; ++k)
-                    pairs.gradient[k] = toFloat(other.place[k] - i.place[k]);
-                const FloatTile r2 = dot<Dim>(pairs.gradient, pairs.gradient);
-                pairs.inverse_dW = inverseSqrtTile(r2 + 1e-30f);
+                    pairs.gradient[k] = detail::placeDifference(i.place[k], other.place[k]);
+                const Tile r2 = dot<Dim>(pairs.gradient, pairs.gradient);
+                pairs.inverse_dW = inverseSqrtTile(r2 + static_cast<Real>(1e-30));
                 pairs.dW = r2 * pairs.inverse_dW;
                 pairs.weight = loadTile(weight);
-                FloatTile on_i[N];
+                Tile on_i[N];
                 term(i, other, pairs, on_i, on_j);
                 std::array<ExactTile, N> exact;
                 for (int n = 0; n < N; ++n) {
@@ -175,7 +235,7 @@ class TileSums {
             const std::uint32_t two_sided = chunk.ranges[c].two_sided;
             const std::uint32_t end = chunk.ranges[c + 1].one_sided;
             std::uint32_t t = chunk.ranges[c].one_sided;
-            FloatTile on_j[N];
+            Tile on_j[N];
             for (; t < two_sided; ++t, j += tile_side) tile(on_j);
             for (; t < end; ++t, j += tile_side) {
                 const auto exact = tile(on_j);

@@ -84,8 +84,11 @@ void PairTiles<Dim>::build(const Vec<Dim>* position, std::size_t n,
     }
     sums_.resize(sum_count_);
     kernels::withKernel<Dim>(kernel.type(), [&]<class K>() {
-        parallelFor(
-            chunks_.size(), [&](std::size_t c) { weigh<K>(chunks_[c], kernel, sums_.data()); }, 1);
+        withPrecision(precision_, [&]<class Real>() {
+            parallelFor(
+                chunks_.size(),
+                [&](std::size_t c) { weigh<K, Real>(chunks_[c], kernel, sums_.data()); }, 1);
+        });
     });
     parallelFor(
         chunks_.size(),
@@ -184,7 +187,7 @@ void PairTiles<Dim>::findTiles(Chunk& chunk, float reach) const {
 
 /// Weights of all pairs, and the sums of W.
 template <int Dim>
-template <class K>
+template <class K, class Real>
 void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
                            ExactNumber* all_sums) const {
     constexpr double reach2 = places_of_cutoff * places_of_cutoff;
@@ -194,14 +197,15 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
                                place_unit_ / gradient_unit_);
     ExactNumber* sums = sumsOf(chunk, 1, all_sums);
     std::fill(sums + chunk.first_slot, sums + chunk.reach_end, ExactNumber{});
-    chunk.weight.resize(chunk.ranges.back().one_sided * std::size_t{tile_size});
+    AlignedVector<Real>& weights = chunk.template weights<Real>();
+    weights.resize(chunk.ranges.back().one_sided * std::size_t{tile_size});
     const auto* words = reinterpret_cast<const float*>(places_.data());
     constexpr WholeTile lane_i = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
     constexpr WholeTile lane_j = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
     constexpr std::int32_t beyond = std::numeric_limits<std::int32_t>::max();
 
     const std::uint32_t* j = chunk.j.data();
-    float* weight = chunk.weight.data();
+    Real* weight = weights.data();
     for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c) {
         const Index first = chunk.first_slot + static_cast<Index>(c) * tile_side;
         const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
@@ -239,7 +243,10 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
             };
             evaluate(low2, 0);
             evaluate(high2, 1);
-            storeTile(joinTile(g[0], g[1]), weight);
+            if constexpr (std::is_same_v<Real, float>)
+                storeTile(joinFloats(g[0], g[1]), weight);
+            else
+                storeTile(joinTile(g[0], g[1]), weight);
             weight += tile_size;
             const ExactTile term(w[0], w[1]);
             sum[0] += term;
@@ -286,7 +293,8 @@ std::size_t PairTiles<Dim>::bytes() const {
                       sizeof(ExactNumber) * sums_.capacity() + 8 * kernel_sum_.capacity();
     for (const Chunk& chunk : chunks_)
         sum += sizeof(Range) * chunk.ranges.capacity() + 4 * chunk.j.capacity() +
-               4 * chunk.weight.capacity();
+               4 * chunk.template weights<float>().capacity() +
+               8 * chunk.template weights<double>().capacity();
     return sum;
 }
 

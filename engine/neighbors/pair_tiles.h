@@ -4,9 +4,11 @@
 
 #include "bodies/world.h"
 #include "core/parallel.h"
+#include "core/precision.h"
 #include "neighbors/columns.h"
 
 #include <array>
+#include <tuple>
 #include <vector>
 
 namespace sphinx::neighbors {
@@ -46,13 +48,28 @@ class PairTiles {
         std::size_t sums_at = 0;         ///< place of the sums of the first slot
         std::vector<Range> ranges;       ///< of the clusters, and one more
         AlignedVector<std::uint32_t> j;  ///< slots, four for each tile
-        AlignedVector<float> weight;     ///< sixteen for each tile
+        /// Sixteen for each tile, in the precision of the tiles.
+        template <class Real>
+        AlignedVector<Real>& weights() {
+            return std::get<AlignedVector<Real>>(weights_);
+        }
+        template <class Real>
+        const AlignedVector<Real>& weights() const {
+            return std::get<AlignedVector<Real>>(weights_);
+        }
+
+     private:
+        std::tuple<AlignedVector<float>, AlignedVector<double>> weights_;
     };
+
+    explicit PairTiles(Precision precision = Precision::single) : precision_(precision) {}
 
     /// Of particles at these positions. Throws PhysicsError when one of them is not finite.
     void build(const Vec<Dim>* position, std::size_t n, const kernels::Kernel<Dim>& kernel,
                double spacing, const bodies::Domain<Dim>& domain);
 
+    /// Of the terms of pairs.
+    Precision precision() const { return precision_; }
     /// Counts the builds: whoever keeps something for each slot compares it.
     std::uint64_t builds() const { return builds_; }
     /// All of them, copies included.
@@ -88,31 +105,39 @@ class PairTiles {
     static ExactNumber* sumsOf(const Chunk& chunk, std::size_t stride, ExactNumber* sums) {
         return sums + stride * (chunk.sums_at - chunk.first_slot);
     }
-    /// f(first slot of the cluster, slots of the four j, weights) for all tiles.
+    /// f(first slot of the cluster, slots of the four j, pairs) for all tiles; pairs(): bit k is
+    /// set where lane k has a pair.
     template <class Function>
     void forEachTile(Function&& f) const {
-        parallelFor(
-            chunks_.size(),
-            [&](std::size_t n) {
-                const Chunk& chunk = chunks_[n];
-                for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c)
-                    for (std::size_t t = chunk.ranges[c].one_sided;
-                         t < chunk.ranges[c + 1].one_sided; ++t)
-                        f(chunk.first_slot + static_cast<Index>(tile_side * c),
-                          chunk.j.data() + tile_side * t, chunk.weight.data() + tile_size * t);
-            },
-            1);
+        withPrecision(precision_, [&]<class Real>() {
+            parallelFor(
+                chunks_.size(),
+                [&](std::size_t n) {
+                    const Chunk& chunk = chunks_[n];
+                    const Real* weights = chunk.template weights<Real>().data();
+                    for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c)
+                        for (std::size_t t = chunk.ranges[c].one_sided;
+                             t < chunk.ranges[c + 1].one_sided; ++t)
+                            f(chunk.first_slot + static_cast<Index>(tile_side * c),
+                              chunk.j.data() + tile_side * t, [&] {
+                                  return lessBits(TileOf<Real>{},
+                                                  loadTile(weights + tile_size * t));
+                              });
+                },
+                1);
+        });
     }
     std::size_t bytes() const;
 
  private:
-    template <class K>
+    template <class K, class Real>
     void weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel, ExactNumber* sums) const;
     void findTiles(Chunk& chunk, float reach) const;
     void makeCopies(const Vec<Dim>* position, std::size_t n, const Box<Dim>& bounds,
                     const bodies::Domain<Dim>& domain, double spacing, double cutoff);
     void divide();
 
+    Precision precision_;
     std::uint64_t builds_ = 0;
     double place_unit_ = 1;
     double gradient_unit_ = 1;

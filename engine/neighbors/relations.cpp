@@ -82,8 +82,7 @@ template <int Dim>
 const PairTiles<Dim>& Relations<Dim>::ownPairs(const bodies::Body<Dim>& body) {
     for (const auto& own : own_pairs_)
         if (own->body == &body) return own->tiles;
-    own_pairs_.push_back(std::make_unique<OwnPairs>());
-    own_pairs_.back()->body = &body;
+    own_pairs_.push_back(std::make_unique<OwnPairs>(&body, PairTiles<Dim>(world_->precision)));
     return own_pairs_.back()->tiles;
 }
 

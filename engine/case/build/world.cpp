@@ -138,6 +138,7 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
     auto world = std::make_unique<bodies::World<Dim>>();
     world->units = model.units;
     world->domain = makeDomain<Dim>(model);
+    world->precision = model.resolution.precision;
     for (const model::Shape& shape : model.shapes) world->shapes[shape.name] = shape.as<Dim>();
 
     std::map<std::string, std::shared_ptr<const materials::Material>> materials;

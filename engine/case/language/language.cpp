@@ -87,6 +87,15 @@ void declareResolution(Registry& registry) {
     d.optional("kernel", &P::kernel, kernel(registry),
                "smoothing kernel of all bodies; default: quintic_spline, of elastic bodies and "
                "where only a smoothing_ratio is stated wendland_c2");
+    d.optional("precision", &P::precision,
+               choice<Precision>({
+                   {"single", Precision::single,
+                    "32-bit numbers, of exact differences of places and with exact sums"},
+                   {"double", Precision::full,
+                    "64-bit numbers: for comparisons of runs that differ by rounding; takes about "
+                    "twice as long"},
+               }),
+               "of the terms between two particles of a fluid");
 }
 
 void declareDomain(Registry& registry) {

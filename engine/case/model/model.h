@@ -4,6 +4,7 @@
 
 #include "bodies/domain.h"
 #include "bodies/role.h"
+#include "core/precision.h"
 #include "dynamics/multibody/parameters.h"
 #include "geometry/shape.h"
 #include "input/declaration/component.h"
@@ -33,6 +34,7 @@ struct Resolution {
     double spacing = 0;                         ///< reference spacing dp, length
     std::optional<double> smoothing_ratio;      ///< h / dp; without: that of smoothing.h
     std::optional<kernels::KernelType> kernel;  ///< without: that of smoothing.h
+    Precision precision = Precision::single;    ///< of the terms of a fluid's own pairs
 };
 
 struct Domain {

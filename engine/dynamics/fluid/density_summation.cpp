@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 
 namespace sphinx::dynamics::fluid {
@@ -143,13 +144,13 @@ void DensitySummation<Dim>::findInside() {
     const auto tell = [&](Index slot) {  // several threads may say the same
         std::atomic_ref(cut_off_[slot]).store(1, std::memory_order_relaxed);
     };
-    self_->forEachTile([&](Index first, const std::uint32_t* j, const float* weight) {
+    self_->forEachTile([&](Index first, const std::uint32_t* j, auto&& pairs) {
         const std::uint8_t* i_lacks = lacks_.data() + first;
         const std::uint8_t of_i = i_lacks[0] | i_lacks[1] | i_lacks[2] | i_lacks[3];
         const std::uint8_t of_j = lacks_[j[0]] | lacks_[j[1]] | lacks_[j[2]] | lacks_[j[3]];
         if ((of_i | of_j) == 0) return;
-        for (Index pair = 0; pair < tile_size; ++pair) {
-            if (weight[pair] == 0) continue;
+        for (unsigned left = pairs(); left != 0; left &= left - 1) {
+            const auto pair = static_cast<Index>(std::countr_zero(left));
             const Index i = pair / tile_side;
             const Index slot = j[pair % tile_side];
             if (i_lacks[i] != 0) tell(slot);

@@ -86,10 +86,12 @@ class PressureRelaxation final : public SolidLoad<Dim> {
  private:
     using SolidLoad<Dim>::body_;
 
+    template <class Real>
     void predict(double dt);
     /// The mean weight of the fluid in the frame of its walls, and its mean velocity.
     void findMeans();
     /// Gives back what elastic solids have lost by the impedance of the fluid (Radiation).
+    template <class Real>
     void addSlipImpulses();
     /// That impulse on particle i from one of them.
     Vec<Dim> slipImpulse(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
@@ -104,9 +106,9 @@ class PressureRelaxation final : public SolidLoad<Dim> {
                       Vec<Dim>& force) const;
     double wallClosing(const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid,
                        Index i) const;
-    template <Riemann R>
+    template <Riemann R, class Real>
     void momentum(double dt);
-    template <Riemann R>
+    template <Riemann R, class Real>
     void continuity(double dt);
 
     const Domain<Dim>* domain_;
@@ -185,8 +187,10 @@ void PressureRelaxation<Dim>::firstHalf(const Clock& clock) {
         interval_start_ = clock.interval_start;
         findMeans();
     }
-    predict(dt);
-    withRiemann(riemann_, [&]<Riemann R>() { momentum<R>(dt); });
+    withPrecision(around_.own().precision(), [&]<class Real>() {
+        predict<Real>(dt);
+        withRiemann(riemann_, [&]<Riemann R>() { momentum<R, Real>(dt); });
+    });
     ++body_->version;
 }
 
@@ -195,12 +199,15 @@ void PressureRelaxation<Dim>::secondHalf(const Clock& clock) {
     this->actedAt(clock.time);
     const double dt = clock.dt;
     last_dt_ = dt;
-    addSlipImpulses();
-    withRiemann(riemann_, [&]<Riemann R>() { continuity<R>(dt); });
+    withPrecision(around_.own().precision(), [&]<class Real>() {
+        addSlipImpulses<Real>();
+        withRiemann(riemann_, [&]<Riemann R>() { continuity<R, Real>(dt); });
+    });
     ++body_->version;
 }
 
 template <int Dim>
+template <class Real>
 void PressureRelaxation<Dim>::predict(double dt) {
     const double half = 0.5 * dt;
     const double rho0 = constants_.rho0;
@@ -208,11 +215,11 @@ void PressureRelaxation<Dim>::predict(double dt) {
     const double per_pressure = 1 / (rho0 * constants_.c0 * constants_.c0);
     const double per_cell = 1 / cell_;
     const auto all = [&](auto&& pressure) {
-        records_.fill(around_.own(), [&, density = density_.data(), rate = density_rate_.data(),
+        records_.template fill<Real>(around_.own(), [&, density = density_.data(), rate = density_rate_.data(),
                                       slack = slack_.data(), mass = mass_.data(),
                                       pressure_of = pressure_.data(), volume = volume_.data(),
                                       position = position_.data(), velocity = velocity_.data(), mean = mean_velocity_](
-                                         TileRecord<Dim>& record, Index i)
+                                         TileRecord<Dim, Real>& record, Index i)
                                          __attribute__((always_inline)) {
             const double rho = density[i] + half * rate[i];
             const double dense = slack[i] > 0 ? std::max(rho, rho0) : rho;
@@ -223,9 +230,9 @@ void PressureRelaxation<Dim>::predict(double dt) {
             volume[i] = V;
             const Vec<Dim> v = velocity[i];
             position[i] += half * v;
-            for (int c = 0; c < Dim; ++c) record.v[c] = static_cast<float>(per_c0 * (v[c] - mean[c]));
-            record.p = static_cast<float>(per_pressure * p);
-            record.V = static_cast<float>(per_cell * V);
+            for (int c = 0; c < Dim; ++c) record.v[c] = static_cast<Real>(per_c0 * (v[c] - mean[c]));
+            record.p = static_cast<Real>(per_pressure * p);
+            record.V = static_cast<Real>(per_cell * V);
         });
         if (!loads_solids_) return;
         parallelFor(body_->size(), [&](std::size_t i) {
@@ -266,18 +273,19 @@ std::vector<SumGrid> PressureRelaxation<Dim>::wallGrids(double largest) const {
 constexpr RiemannConstants of_one{1, 1};
 
 template <int Dim>
-template <Riemann R>
+template <Riemann R, class Real>
 void PressureRelaxation<Dim>::momentum(double dt) {
     const PairTiles<Dim>& tiles = around_.own();
-    using Side = TileSide<Dim>;
-    forces_.template add<Reaction::opposite>(
+    using Side = TileSide<Dim, Real>;
+    using Tile = TileOf<Real>;
+    forces_.template add<Reaction::opposite, Real>(
         tiles, records_,
-        [](const Side& i, const Side& j, const TilePairs<Dim>& pair, FloatTile(&on_i)[Dim],
-           FloatTile(&)[Dim]) {
-            FloatTile v_ij[Dim];
+        [](const Side& i, const Side& j, const TilePairs<Dim, Real>& pair, Tile(&on_i)[Dim],
+           Tile(&)[Dim]) {
+            Tile v_ij[Dim];
             for (int c = 0; c < Dim; ++c) v_ij[c] = i.v[c] - j.v[c];
-            const FloatTile p2 = twicePressure<R, Dim>(of_one, pair, v_ij, i.p, j.p);
-            const FloatTile f = p2 * (pair.weight * (i.V * j.V));
+            const Tile p2 = twicePressure<R, Dim>(of_one, pair, v_ij, i.p, j.p);
+            const Tile f = p2 * (pair.weight * (i.V * j.V));
             for (int c = 0; c < Dim; ++c) on_i[c] = f * pair.gradient[c];
         });
     const double pressure_unit = constants_.rho0 * constants_.c0 * constants_.c0;
@@ -287,7 +295,7 @@ void PressureRelaxation<Dim>::momentum(double dt) {
     const std::vector<SumGrid> grids = wallGrids(largest_force_);
     forces_.forEach(tiles, [&, velocity = velocity_.data(), external = external_.data(),
                             mass = mass_.data(), pressure = pressure_.data(),
-                            position = position_.data(), records = records_.data(),
+                            position = position_.data(), records = records_.template data<Real>(),
                             weight = weight_, mean = mean_velocity_](Index i, Index slot, const ExactNumber* own)
                                __attribute__((always_inline)) {
         const Vec<Dim> v = velocity[i];
@@ -297,15 +305,15 @@ void PressureRelaxation<Dim>::momentum(double dt) {
         for (std::size_t w = 0; w < grids.size(); ++w)
             if (around_.walls()[w].list().ranges[i].count != 0)
                 addWallForce<R>(around_.walls()[w], grids[w], i, force);
-        TileRecord<Dim>& next = records[slot];
+        TileRecord<Dim, Real>& next = records[slot];
         const double factor = -dt / mass[i];
         for (int c = 0; c < Dim; ++c) {
             const double vc = v[c] + factor * force[c] + dt * g[c];
             velocity[i][c] = vc;
-            next.v[c] = static_cast<float>(per_c0 * (vc - mean[c]));
+            next.v[c] = static_cast<Real>(per_c0 * (vc - mean[c]));
         }
         const double p = pressure[i] - dot<Dim>(weight.data(), position[i].data());
-        next.p = static_cast<float>(per_pressure * p);
+        next.p = static_cast<Real>(per_pressure * p);
     });
 }
 
@@ -338,6 +346,7 @@ Vec<Dim> PressureRelaxation<Dim>::slipImpulse(const WallFields<Dim>& fields,
 }
 
 template <int Dim>
+template <class Real>
 void PressureRelaxation<Dim>::addSlipImpulses() {
     for (const auto& wall : around_.walls()) {
         if (!wall.fields.responds) continue;
@@ -346,10 +355,10 @@ void PressureRelaxation<Dim>::addSlipImpulses() {
             const Index i = tiles.particle(static_cast<Index>(s));
             if (i == PairTiles<Dim>::none || wall.list().ranges[i].count == 0) return;
             velocity_[i] += slipImpulse(wall.fields, wall.list(), i) / mass_[i];
-            TileRecord<Dim>& record = records_[static_cast<Index>(s)];
+            TileRecord<Dim, Real>& record = records_.template data<Real>()[s];
             for (int c = 0; c < Dim; ++c)
                 record.v[c] =
-                    static_cast<float>((velocity_[i][c] - mean_velocity_[c]) / constants_.c0);
+                    static_cast<Real>((velocity_[i][c] - mean_velocity_[c]) / constants_.c0);
         });
     }
 }
@@ -429,18 +438,19 @@ void PressureRelaxation<Dim>::addImpedance(const Body<Dim>& solid, const Neighbo
 }
 
 template <int Dim>
-template <Riemann R>
+template <Riemann R, class Real>
 void PressureRelaxation<Dim>::continuity(double dt) {
     const PairTiles<Dim>& tiles = around_.own();
-    using Side = TileSide<Dim>;
-    records_.updateCopies(tiles);
-    rates_.template add<Reaction::own>(
+    using Side = TileSide<Dim, Real>;
+    using Tile = TileOf<Real>;
+    records_.template updateCopies<Real>(tiles);
+    rates_.template add<Reaction::own, Real>(
         tiles, records_,
-        [](const Side& i, const Side& j, const TilePairs<Dim>& pair, FloatTile(&on_i)[1],
-           FloatTile(&on_j)[1]) {
-            FloatTile v_ij[Dim];
+        [](const Side& i, const Side& j, const TilePairs<Dim, Real>& pair, Tile(&on_i)[1],
+           Tile(&on_j)[1]) {
+            Tile v_ij[Dim];
             for (int c = 0; c < Dim; ++c) v_ij[c] = i.v[c] - j.v[c];
-            const FloatTile p_ij = i.p - j.p;
+            const Tile p_ij = i.p - j.p;
             on_i[0] = pair.weight * j.V * closingRate<R, Dim>(of_one, pair, v_ij, p_ij);
             on_j[0] = pair.weight * i.V * closingRate<R, Dim>(of_one, pair, v_ij, -p_ij);
         });

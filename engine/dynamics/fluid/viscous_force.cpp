@@ -76,6 +76,13 @@ inline void addPairs(const Pairs<Dim>& pair, const Lanes (&v_ij)[Dim], Lanes r, 
     for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, direction[c]);
 }
 
+/// Difference of velocities that are whole numbers of a step.
+[[gnu::always_inline]] inline FloatTile stepsBetween(FloatTile i, FloatTile j) {
+    return toFloat(reinterpret_cast<WholeTile>(i) - reinterpret_cast<WholeTile>(j));
+}
+/// Of doubles, which need no steps.
+[[gnu::always_inline]] inline DoubleTile stepsBetween(DoubleTile i, DoubleTile j) { return i - j; }
+
 template <int Dim>
 class ViscousForce final : public SolidLoad<Dim> {
  public:
@@ -91,7 +98,7 @@ class ViscousForce final : public SolidLoad<Dim> {
  private:
     using SolidLoad<Dim>::body_;
 
-    template <ViscousForm F>
+    template <ViscousForm F, class Real>
     void accelerate();
     template <ViscousForm F>
     Load<Dim> loadOn(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
@@ -105,7 +112,7 @@ class ViscousForce final : public SolidLoad<Dim> {
     double factor_;   // dynamic viscosity times 2 L or 2 (d + 2)
     double largest_;  // that sums over pairs may reach
     Surroundings<Dim> around_;
-    TileRecords<Dim> records_;  // velocities as whole numbers, volumes in those of a cell
+    TileRecords<Dim> records_;  // velocities in steps, volumes in those of a cell
     TileSums<Dim, Dim> sums_;
     Field<Vec<Dim>>& velocity_;
     Field<Vec<Dim>>& external_;
@@ -144,41 +151,45 @@ void ViscousForce<Dim>::announce() {
 template <int Dim>
 void ViscousForce<Dim>::run(const Clock& clock) {
     this->actedAt(clock.time);
-    withForm(form_, [&]<ViscousForm F>() { accelerate<F>(); });
+    withForm(form_, [&]<ViscousForm F>() {
+        withPrecision(around_.own().precision(), [&]<class Real>() { accelerate<F, Real>(); });
+    });
 }
 
 template <int Dim>
-template <ViscousForm F>
+template <ViscousForm F, class Real>
 void ViscousForce<Dim>::accelerate() {
     const PairTiles<Dim>& tiles = around_.own();
-    using Side = TileSide<Dim>;
+    using Side = TileSide<Dim, Real>;
+    using Tile = TileOf<Real>;
     const double cell = std::pow(body_->spacing, Dim);
-    // Velocities as whole numbers: so their differences, of which viscosity lives, are exact.
+    // Floats are whole numbers of a step: so their differences, of which viscosity lives, are
+    // exact.
     const double fastest = std::sqrt(largestSquaredSpeed<Dim>(*body_));
     const double speed = fastest > 0 ? fastest : body_->fluid().material->soundSpeed();
     constexpr double steps = 0x1p29;  // differences are below 2^31
-    const auto wholeOf = [&](double v) {
-        return std::bit_cast<float>(static_cast<std::int32_t>(std::nearbyint(v * (steps / speed))));
+    const auto stepsOf = [&](double v) -> Real {
+        const double exact = v * (steps / speed);
+        if constexpr (std::is_same_v<Real, double>) return exact;
+        return std::bit_cast<float>(static_cast<std::int32_t>(std::nearbyint(exact)));
     };
     records_.follow(tiles);
-    records_.fill(tiles, [&](TileRecord<Dim>& record, Index i) {
-        for (int c = 0; c < Dim; ++c) record.v[c] = wholeOf(velocity_[i][c]);
-        record.V = static_cast<float>(volume_[i] / cell);
+    records_.template fill<Real>(tiles, [&](TileRecord<Dim, Real>& record, Index i) {
+        for (int c = 0; c < Dim; ++c) record.v[c] = stepsOf(velocity_[i][c]);
+        record.V = static_cast<Real>(volume_[i] / cell);
     });
     // The weight is abs(W')/r, where sums are made for abs(W'): r is about 2^28 places. Forces are
     // of the order of v_ij and not of its part along r, so some bits are left for that.
     constexpr double places = 0x1p24;
-    sums_.template add<Reaction::opposite>(
+    sums_.template add<Reaction::opposite, Real>(
         tiles, records_,
-        [](const Side& i, const Side& j, const TilePairs<Dim>& pair, FloatTile(&on_i)[Dim],
-           FloatTile(&)[Dim]) {
-            FloatTile v_ij[Dim];
-            for (int c = 0; c < Dim; ++c)
-                v_ij[c] = toFloat(reinterpret_cast<WholeTile>(i.v[c]) -
-                                  reinterpret_cast<WholeTile>(j.v[c]));
-            const FloatTile V = (pair.weight * static_cast<float>(places / steps)) * (i.V * j.V);
-            const FloatTile f = viscousFactor<F, Dim, FloatTile>(pair, v_ij, pair.dW, V);
-            const auto& direction = viscousDirection<F, Dim, FloatTile>(pair, v_ij);
+        [](const Side& i, const Side& j, const TilePairs<Dim, Real>& pair, Tile(&on_i)[Dim],
+           Tile(&)[Dim]) {
+            Tile v_ij[Dim];
+            for (int c = 0; c < Dim; ++c) v_ij[c] = stepsBetween(i.v[c], j.v[c]);
+            const Tile V = (pair.weight * static_cast<Real>(places / steps)) * (i.V * j.V);
+            const Tile f = viscousFactor<F, Dim, Tile>(pair, v_ij, pair.dW, V);
+            const auto& direction = viscousDirection<F, Dim, Tile>(pair, v_ij);
             for (int c = 0; c < Dim; ++c) on_i[c] = f * direction[c];
         });
     const double unit = speed * cell * cell * tiles.gradientUnit() / (places * tiles.placeUnit());

@@ -200,7 +200,8 @@ void checkAll() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("pair terms of fluids on two particles", "", double, Lanes, FloatTile) {
+TEMPLATE_TEST_CASE("pair terms of fluids on two particles", "", double, Lanes, FloatTile,
+                   DoubleTile) {
     checkAll<2, TestType>();
     checkAll<3, TestType>();
 }
