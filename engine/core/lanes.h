@@ -20,7 +20,6 @@ using Lanes = double __attribute__((vector_size(64)));
 using FloatLanes = float __attribute__((vector_size(32)));
 /// The pairs of four particles with four others (core/tile.h).
 using FloatTile = float __attribute__((vector_size(64)));
-using DoubleTile = double __attribute__((vector_size(128)));
 using HalfLanes = double __attribute__((vector_size(32)));
 using LaneMask = std::int64_t __attribute__((vector_size(64)));
 using WholeLanes = std::int32_t __attribute__((vector_size(32)));
@@ -73,6 +72,32 @@ inline void storeLanes(Lanes a, std::int32_t* p) {
 
 inline Lanes maxLanes(Lanes a, Lanes b) { return a > b ? a : b; }
 inline Lanes minLanes(Lanes a, Lanes b) { return a < b ? a : b; }
+
+/// The same in doubles: the first two of the four, and the others. (Of one vector of sixteen
+/// doubles GCC 12 makes single numbers.)
+struct DoubleTile {
+    Lanes low = {}, high = {};
+
+    double operator[](int k) const { return k < lane_count ? low[k] : high[k - lane_count]; }
+    DoubleTile operator-() const { return {-low, -high}; }
+    DoubleTile& operator+=(const DoubleTile& b) { return *this = *this + b; }
+    DoubleTile& operator*=(const DoubleTile& b) { return *this = *this * b; }
+    friend DoubleTile operator+(const DoubleTile& a, const DoubleTile& b) {
+        return {a.low + b.low, a.high + b.high};
+    }
+    friend DoubleTile operator-(const DoubleTile& a, const DoubleTile& b) {
+        return {a.low - b.low, a.high - b.high};
+    }
+    friend DoubleTile operator*(const DoubleTile& a, const DoubleTile& b) {
+        return {a.low * b.low, a.high * b.high};
+    }
+    friend DoubleTile operator/(const DoubleTile& a, const DoubleTile& b) {
+        return {a.low / b.low, a.high / b.high};
+    }
+    friend DoubleTile operator+(double a, const DoubleTile& b) { return {a + b.low, a + b.high}; }
+    friend DoubleTile operator*(double a, const DoubleTile& b) { return {a * b.low, a * b.high}; }
+    friend DoubleTile operator*(const DoubleTile& a, double b) { return b * a; }
+};
 
 inline FloatTile tile(float a) { return FloatTile{a, a, a, a, a, a, a, a, a, a, a, a, a, a, a, a}; }
 inline FloatTile maxTile(FloatTile a, FloatTile b) {

@@ -30,21 +30,28 @@ template <class Number>
     else if constexpr (std::is_same_v<Number, FloatTile>)
         return tile(value);
     else if constexpr (is_tile<Number>)
-        return Number{value, value, value, value, value, value, value, value,
-                      value, value, value, value, value, value, value, value};
+        return Number{lanes(value), lanes(value)};
     else
         return Number{value, value, value, value, value, value, value, value};
 }
 
 template <class Number>
 [[gnu::always_inline]] inline Number larger(Number a, Number b) {
-    if constexpr (std::is_same_v<Number, FloatTile>) return maxTile(a, b);
-    return a > b ? a : b;
+    if constexpr (std::is_same_v<Number, FloatTile>)
+        return maxTile(a, b);
+    else if constexpr (is_tile<Number>)
+        return {maxLanes(a.low, b.low), maxLanes(a.high, b.high)};
+    else
+        return a > b ? a : b;
 }
 template <class Number>
 [[gnu::always_inline]] inline Number smaller(Number a, Number b) {
-    if constexpr (std::is_same_v<Number, FloatTile>) return minTile(a, b);
-    return a < b ? a : b;
+    if constexpr (std::is_same_v<Number, FloatTile>)
+        return minTile(a, b);
+    else if constexpr (is_tile<Number>)
+        return {minLanes(a.low, b.low), minLanes(a.high, b.high)};
+    else
+        return a < b ? a : b;
 }
 template <class Number>
 [[gnu::always_inline]] inline Number absolute(Number a) {
@@ -58,12 +65,12 @@ template <class Number>
 template <int Dim, class Number>
 [[gnu::always_inline]] inline Number dot(const Number* a, const Number* b) {
     const auto product = [&](int c) {
-        if constexpr (is_tile<Number>) return a[c] * b[c];
 #if defined(__GNUC__) && !defined(__clang__)
-        return __builtin_assoc_barrier(a[c] * b[c]);  // GCC fuses across statements
-#else
-        return a[c] * b[c];
+        if constexpr (!is_tile<Number>)
+            return __builtin_assoc_barrier(a[c] * b[c]);  // GCC fuses across statements
+        else
 #endif
+            return a[c] * b[c];
     };
     Number sum = product(0);
     for (int c = 1; c < Dim; ++c) sum += product(c);

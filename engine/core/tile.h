@@ -22,14 +22,17 @@ using DoubleQuad = double __attribute__((vector_size(32)));
 template <class Real>
 using QuadOf = std::conditional_t<std::is_same_v<Real, float>, FloatQuad, DoubleQuad>;
 
-template <class Real>
-inline TileOf<Real> loadTile(const Real* p) {
-    TileOf<Real> a;
+inline FloatTile loadTile(const float* p) {
+    FloatTile a;
     std::memcpy(&a, p, sizeof a);
     return a;
 }
+inline DoubleTile loadTile(const double* p) { return {loadLanes(p), loadLanes(p + lane_count)}; }
 inline void storeTile(FloatTile a, float* p) { std::memcpy(p, &a, sizeof a); }
-inline void storeTile(DoubleTile a, double* p) { std::memcpy(p, &a, sizeof a); }
+inline void storeTile(const DoubleTile& a, double* p) {
+    storeLanes(a.low, p);
+    storeLanes(a.high, p + lane_count);
+}
 
 inline FloatTile toFloat(WholeTile a) {
 #if defined(__AVX512F__)
@@ -56,23 +59,14 @@ inline FloatTile inverseSqrtTile(FloatTile a) {
 #endif
 }
 
-/// Of two halves: the pairs of the first two i, and of the others.
-inline DoubleTile joinTile(Lanes low, Lanes high) {
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-}
-inline Lanes lowLanes(DoubleTile a) {
-    return __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-inline Lanes highLanes(DoubleTile a) {
-    return __builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15);
-}
-inline DoubleTile inverseSqrtTile(DoubleTile a) {
-    return joinTile(inverseSqrtLanes(lowLanes(a)), inverseSqrtLanes(highLanes(a)));
+inline DoubleTile inverseSqrtTile(const DoubleTile& a) {
+    return {inverseSqrtLanes(a.low), inverseSqrtLanes(a.high)};
 }
 
 /// a of each j in the lanes of its pairs.
 inline DoubleTile ofEachJ(DoubleQuad a) {
-    return __builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
+    const Lanes half = __builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3);
+    return {half, half};
 }
 inline FloatTile ofEachJ(FloatQuad a) {
 #if defined(__AVX512F__)
@@ -84,7 +78,8 @@ inline FloatTile ofEachJ(FloatQuad a) {
 }
 /// a of each i in the lanes of its pairs.
 inline DoubleTile ofEachI(DoubleQuad a) {
-    return __builtin_shufflevector(a, a, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
+    return {__builtin_shufflevector(a, a, 0, 0, 0, 0, 1, 1, 1, 1),
+            __builtin_shufflevector(a, a, 2, 2, 2, 2, 3, 3, 3, 3)};
 }
 inline FloatTile ofEachI(FloatQuad a) {
 #if defined(__AVX512F__)
@@ -177,7 +172,7 @@ struct ExactTile {
 
     ExactTile() = default;
     ExactTile(Lanes a, Lanes b) : low(toExact(a)), high(toExact(b)) {}
-    explicit ExactTile(DoubleTile a) : ExactTile(lowLanes(a), highLanes(a)) {}
+    explicit ExactTile(const DoubleTile& a) : ExactTile(a.low, a.high) {}
     explicit ExactTile(FloatTile a) {
         const FloatLanes l = __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7);
         const FloatLanes h = __builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15);
@@ -288,8 +283,8 @@ template <int N, int Sign>
 }
 
 /// Bit k is set where a[k] < b[k].
-inline unsigned lessBits(DoubleTile a, DoubleTile b) {
-    return lessBits(lowLanes(a), lowLanes(b)) | lessBits(highLanes(a), highLanes(b)) << lane_count;
+inline unsigned lessBits(const DoubleTile& a, const DoubleTile& b) {
+    return lessBits(a.low, b.low) | lessBits(a.high, b.high) << lane_count;
 }
 inline unsigned lessBits(FloatTile a, FloatTile b) {
 #if defined(__AVX512F__)

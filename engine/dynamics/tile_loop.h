@@ -148,8 +148,8 @@ template <int Dim, class Real, class Spread>
                         reinterpret_cast<WholeTile>(ofEachI(part(i, whole)));
     const FloatTile d_rest_j = ofEachJ(part(j, rest));
     const FloatTile d_rest_i = ofEachI(part(i, rest));
-    return joinTile(lowLanes(d) + (lowLanes(d_rest_j) - lowLanes(d_rest_i)),
-                    highLanes(d) + (highLanes(d_rest_j) - highLanes(d_rest_i)));
+    return {lowLanes(d) + (lowLanes(d_rest_j) - lowLanes(d_rest_i)),
+            highLanes(d) + (highLanes(d_rest_j) - highLanes(d_rest_i))};
 }
 }  // namespace detail
 
@@ -219,7 +219,7 @@ class TileSums {
                 for (int k = 0; k < Dim; ++k)
                     pairs.gradient[k] = detail::placeDifference(i.place[k], other.place[k]);
                 const Tile r2 = dot<Dim>(pairs.gradient, pairs.gradient);
-                pairs.inverse_dW = inverseSqrtTile(r2 + static_cast<Real>(1e-30));
+                pairs.inverse_dW = inverseSqrtTile(static_cast<Real>(1e-30) + r2);
                 pairs.dW = r2 * pairs.inverse_dW;
                 pairs.weight = loadTile(weight);
                 Tile on_i[N];

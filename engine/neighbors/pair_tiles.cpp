@@ -246,7 +246,7 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
             if constexpr (std::is_same_v<Real, float>)
                 storeTile(joinFloats(g[0], g[1]), weight);
             else
-                storeTile(joinTile(g[0], g[1]), weight);
+                storeTile(DoubleTile{g[0], g[1]}, weight);
             weight += tile_size;
             const ExactTile term(w[0], w[1]);
             sum[0] += term;

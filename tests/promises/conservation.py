@@ -110,7 +110,7 @@ class Conservation(Promise):
         # The drift carries the block around the box once and a half.
         for name, (u, v) in {"rest": (0, 0), "drift": (7.3, -5.1)}.items():
             velocity = [f"{u} + {noise[0]}", f"{v} + {noise[1]}"]
-            case = self.case("free_2d", domain=PERIODIC_2D,
+            case = self.case("free_2d", domain=PERIODIC_2D, resolution__precision="double",
                              geometry={"drop": {"box": {"lower": [-0.5, -0.5], "upper": [0.5, 0.5]}}},
                              bodies__water__initial={"velocity": velocity})
             self.sphinx(case, self.folder / name)

@@ -61,7 +61,7 @@ def across_a_periodic_side():
     """How far the box in a drop that flies across the side of a periodic domain is, at the end, from one that
     reaches no side."""
     flies = "bodies.water.initial.velocity=['3 - 0.5*y', '0.4*x']", "multibody.joints.free.velocity=[2.6, 0.1]"
-    wide, periodic = (checks.Run(DROPS / "drop_with_body.yaml", *flies, f"domain={domain}").series("box") for domain in (
+    wide, periodic = (checks.Run(DROPS / "drop_with_body.yaml", *flies, "resolution.precision=double", f"domain={domain}").series("box") for domain in (
         "{lower: [-7, -4], upper: [7, 4], periodic: [x]}", "{lower: [-1.4, -4], upper: [1.4, 4], periodic: [x]}"))
     return max(abs(wide[name][-1] - periodic[name][-1]) for name in ("center_x", "center_y", "angle"))
 

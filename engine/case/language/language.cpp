@@ -92,8 +92,8 @@ void declareResolution(Registry& registry) {
                    {"single", Precision::single,
                     "32-bit numbers, of exact differences of places and with exact sums"},
                    {"double", Precision::full,
-                    "64-bit numbers: for comparisons of runs that differ by rounding; takes about "
-                    "twice as long"},
+                    "64-bit numbers: for comparisons of runs that differ by rounding; takes "
+                    "a third longer"},
                }),
                "of the terms between two particles of a fluid");
 }

@@ -81,7 +81,9 @@ inline void addPairs(const Pairs<Dim>& pair, const Lanes (&v_ij)[Dim], Lanes r, 
     return toFloat(reinterpret_cast<WholeTile>(i) - reinterpret_cast<WholeTile>(j));
 }
 /// Of doubles, which need no steps.
-[[gnu::always_inline]] inline DoubleTile stepsBetween(DoubleTile i, DoubleTile j) { return i - j; }
+[[gnu::always_inline]] inline DoubleTile stepsBetween(const DoubleTile& i, const DoubleTile& j) {
+    return i - j;
+}
 
 template <int Dim>
 class ViscousForce final : public SolidLoad<Dim> {
@@ -170,8 +172,10 @@ void ViscousForce<Dim>::accelerate() {
     constexpr double steps = 0x1p29;  // differences are below 2^31
     const auto stepsOf = [&](double v) -> Real {
         const double exact = v * (steps / speed);
-        if constexpr (std::is_same_v<Real, double>) return exact;
-        return std::bit_cast<float>(static_cast<std::int32_t>(std::nearbyint(exact)));
+        if constexpr (std::is_same_v<Real, double>)
+            return exact;
+        else
+            return std::bit_cast<float>(static_cast<std::int32_t>(std::nearbyint(exact)));
     };
     records_.follow(tiles);
     records_.template fill<Real>(tiles, [&](TileRecord<Dim, Real>& record, Index i) {

@@ -107,5 +107,5 @@ TEST_CASE("roots and places of a tile") {
     CHECK(lowLanes(whole)[3] == 7);
     CHECK(highLanes(whole)[0] == -9);
     CHECK(joinFloats(lowLanes(whole), highLanes(whole))[8] == -9);
-    CHECK(joinTile(lowLanes(whole), highLanes(whole))[8] == -9);
+    CHECK(DoubleTile{lowLanes(whole), highLanes(whole)}[8] == -9);
 }
