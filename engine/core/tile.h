@@ -91,11 +91,12 @@ inline FloatTile ofEachI(FloatQuad a) {
 #endif
 }
 
+namespace detail {
 /// The first `Words` words (an even number) of records of `Size` of the four particles at[0] to
 /// at[3], transposed: out[c] is word c of all four.
 template <int Words, class Real, int Size>
-[[gnu::always_inline]] inline void gatherWords(const Real* records, const std::uint32_t* at,
-                                               QuadOf<Real> (&out)[Size]) {
+[[gnu::always_inline]] inline void transposeWords(const Real* records, const std::uint32_t* at,
+                                                  QuadOf<Real> (&out)[Size]) {
     using Quad = QuadOf<Real>;
     const auto four = [&](int k, int first) {
         Quad a;
@@ -117,6 +118,67 @@ template <int Words, class Real, int Size>
         out[first + 2] = __builtin_shufflevector(AB, CD, 0, 1, 4, 5);
         out[first + 3] = __builtin_shufflevector(AB, CD, 2, 3, 6, 7);
     }
+}
+#if defined(__AVX512F__)
+/// The same of floats, word c in the lanes lane_of(i, j), which is 0 to 3 of the records.
+template <int Words, int Size, class LaneOf>
+[[gnu::always_inline]] inline void spreadWords(const float* records, const std::uint32_t* at,
+                                               FloatTile (&out)[Size], LaneOf lane_of) {
+    static_assert(Size == 4 || Size == 8);
+    const auto row = [&](int k) { return records + std::size_t{Size} * at[k]; };
+    const auto lanesOf = [&](int c) {
+        WholeTile from = {};
+        for (int i = 0; i < tile_side; ++i)
+            for (int j = 0; j < tile_side; ++j) from[tile_side * i + j] = Size * lane_of(i, j) + c;
+        return reinterpret_cast<__m512i>(from);
+    };
+    if constexpr (Size == 4) {
+        __m512 all = _mm512_castps128_ps512(_mm_loadu_ps(row(0)));
+        all = _mm512_maskz_insertf32x4(0xffff, all, _mm_loadu_ps(row(1)), 1);
+        all = _mm512_maskz_insertf32x4(0xffff, all, _mm_loadu_ps(row(2)), 2);
+        all = _mm512_maskz_insertf32x4(0xffff, all, _mm_loadu_ps(row(3)), 3);
+        for (int c = 0; c < Words; ++c)
+            out[c] =
+                reinterpret_cast<FloatTile>(_mm512_maskz_permutexvar_ps(0xffff, lanesOf(c), all));
+    } else {
+        const auto two = [&](int k) {
+            const __m512d first =
+                _mm512_castpd256_pd512(_mm256_loadu_pd(reinterpret_cast<const double*>(row(k))));
+            return _mm512_castpd_ps(_mm512_maskz_insertf64x4(
+                0xff, first, _mm256_loadu_pd(reinterpret_cast<const double*>(row(k + 1))), 1));
+        };
+        const __m512 a = two(0);
+        const __m512 b = two(2);
+        for (int c = 0; c < Words; ++c)
+            out[c] = reinterpret_cast<FloatTile>(_mm512_permutex2var_ps(a, lanesOf(c), b));
+    }
+}
+#endif
+}  // namespace detail
+
+/// Records of `Size` numbers of the four particles at[0] to at[3]: out[c] is word c, of the first
+/// `Words` (an even number), of each j or of each i in the lanes of its pairs.
+template <int Words, class Real, int Size>
+[[gnu::always_inline]] inline void gatherOfEachJ(const Real* records, const std::uint32_t* at,
+                                                 TileOf<Real> (&out)[Size]) {
+#if defined(__AVX512F__)
+    if constexpr (std::is_same_v<Real, float>)
+        return detail::spreadWords<Words>(records, at, out, [](int, int j) { return j; });
+#endif
+    QuadOf<Real> quads[Size];
+    detail::transposeWords<Words>(records, at, quads);
+    for (int c = 0; c < Words; ++c) out[c] = ofEachJ(quads[c]);
+}
+template <int Words, class Real, int Size>
+[[gnu::always_inline]] inline void gatherOfEachI(const Real* records, const std::uint32_t* at,
+                                                 TileOf<Real> (&out)[Size]) {
+#if defined(__AVX512F__)
+    if constexpr (std::is_same_v<Real, float>)
+        return detail::spreadWords<Words>(records, at, out, [](int i, int) { return i; });
+#endif
+    QuadOf<Real> quads[Size];
+    detail::transposeWords<Words>(records, at, quads);
+    for (int c = 0; c < Words; ++c) out[c] = ofEachI(quads[c]);
 }
 
 /// Sixteen numbers as two halves of doubles.
@@ -165,6 +227,9 @@ inline ExactLanes toExact(Lanes a) {
 #endif
 }
 
+/// One number, rounded likewise.
+inline ExactNumber exactNumber(double a) { return static_cast<ExactNumber>(std::nearbyint(a)); }
+
 /// The terms of sixteen pairs, or sums of such.
 struct ExactTile {
     ExactLanes low = {};   // of the first two i
@@ -205,11 +270,11 @@ inline ExactLanes overJ(const ExactTile& a, const ExactTile& b) {
     return __builtin_shufflevector(low, high, 0, 1, 4, 5, 8, 9, 12, 13) +
            __builtin_shufflevector(low, high, 2, 3, 6, 7, 10, 11, 14, 15);
 }
-template <class Vector>
+template <class Vector, int Sign = 1>
 inline void addTo(ExactNumber* p, Vector a) {
     Vector b;
     std::memcpy(&b, p, sizeof b);
-    b += a;
+    b = Sign > 0 ? b + a : b - a;
     std::memcpy(p, &b, sizeof b);
 }
 }  // namespace detail
@@ -245,14 +310,13 @@ template <int N, int Sign>
     static_assert(N >= 1 && N <= 3);
     const auto overI = [](const ExactTile& a) -> ExactQuad {
         const ExactLanes s = a.low + a.high;
-        const ExactQuad sum =
-            __builtin_shufflevector(s, s, 0, 1, 2, 3) + __builtin_shufflevector(s, s, 4, 5, 6, 7);
-        return Sign > 0 ? sum : -sum;
+        return __builtin_shufflevector(s, s, 0, 1, 2, 3) +
+               __builtin_shufflevector(s, s, 4, 5, 6, 7);
     };
     const auto at = [&](int k) { return sums + std::size_t{sum_stride<N>} * j[k]; };
     const ExactQuad x = overI(term[0]);
     if constexpr (N == 1) {
-        for (int k = 0; k < tile_side; ++k) *at(k) += x[k];
+        for (int k = 0; k < tile_side; ++k) *at(k) += Sign * x[k];
     } else {
         using Pair = ExactNumber __attribute__((vector_size(16)));
         const ExactQuad y = overI(term[1]);
@@ -265,19 +329,21 @@ template <int N, int Sign>
                 else
                     return __builtin_shufflevector(a, a, 0, 1);
             };
-            detail::addTo(at(0), half(even, std::false_type()));
-            detail::addTo(at(1), half(odd, std::false_type()));
-            detail::addTo(at(2), half(even, std::true_type()));
-            detail::addTo(at(3), half(odd, std::true_type()));
+            detail::addTo<Pair, Sign>(at(0), half(even, std::false_type()));
+            detail::addTo<Pair, Sign>(at(1), half(odd, std::false_type()));
+            detail::addTo<Pair, Sign>(at(2), half(even, std::true_type()));
+            detail::addTo<Pair, Sign>(at(3), half(odd, std::true_type()));
         } else {
             const ExactQuad z = overI(term[2]);
             const ExactQuad none = {};
             const ExactQuad even_z = __builtin_shufflevector(z, none, 0, 4, 2, 6);
             const ExactQuad odd_z = __builtin_shufflevector(z, none, 1, 5, 3, 7);
-            detail::addTo<ExactQuad>(at(0), __builtin_shufflevector(even, even_z, 0, 1, 4, 5));
-            detail::addTo<ExactQuad>(at(1), __builtin_shufflevector(odd, odd_z, 0, 1, 4, 5));
-            detail::addTo<ExactQuad>(at(2), __builtin_shufflevector(even, even_z, 2, 3, 6, 7));
-            detail::addTo<ExactQuad>(at(3), __builtin_shufflevector(odd, odd_z, 2, 3, 6, 7));
+            detail::addTo<ExactQuad, Sign>(at(0),
+                                           __builtin_shufflevector(even, even_z, 0, 1, 4, 5));
+            detail::addTo<ExactQuad, Sign>(at(1), __builtin_shufflevector(odd, odd_z, 0, 1, 4, 5));
+            detail::addTo<ExactQuad, Sign>(at(2),
+                                           __builtin_shufflevector(even, even_z, 2, 3, 6, 7));
+            detail::addTo<ExactQuad, Sign>(at(3), __builtin_shufflevector(odd, odd_z, 2, 3, 6, 7));
         }
     }
 }

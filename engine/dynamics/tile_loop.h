@@ -108,48 +108,48 @@ class TileRecords {
 /// Either side of the pairs of a tile.
 template <int Dim, class Real>
 struct TileSide {
-    QuadOf<Real> place[Dim];  // as stored
+    TileOf<Real> place[Dim];  // as stored
     TileOf<Real> v[Dim], p, V;
+
+    explicit TileSide(const TileOf<Real> (&words)[8]) : p(words[2 * Dim]), V(words[2 * Dim + 1]) {
+        for (int c = 0; c < Dim; ++c) {
+            place[c] = words[c];
+            v[c] = words[Dim + c];
+        }
+    }
 };
 
 namespace detail {
-template <int Dim, class Real, class Spread>
-[[gnu::always_inline]] inline TileSide<Dim, Real> loadSide(const Real* words,
-                                                           const std::uint32_t* slots,
-                                                           Spread&& spread) {
-    QuadOf<Real> quads[8];
-    gatherWords<TileRecord<Dim, Real>::words>(words, slots, quads);
-    TileSide<Dim, Real> side;
-    for (int c = 0; c < Dim; ++c) {
-        side.place[c] = quads[c];
-        side.v[c] = spread(quads[Dim + c]);
-    }
-    side.p = spread(quads[2 * Dim]);
-    side.V = spread(quads[2 * Dim + 1]);
-    return side;
+template <int Dim, class Real>
+[[gnu::always_inline]] inline TileSide<Dim, Real> sideI(const Real* records,
+                                                        const std::uint32_t* slots) {
+    TileOf<Real> words[8];
+    gatherOfEachI<TileRecord<Dim, Real>::words>(records, slots, words);
+    return TileSide<Dim, Real>(words);
+}
+template <int Dim, class Real>
+[[gnu::always_inline]] inline TileSide<Dim, Real> sideJ(const Real* records,
+                                                        const std::uint32_t* slots) {
+    TileOf<Real> words[8];
+    gatherOfEachJ<TileRecord<Dim, Real>::words>(records, slots, words);
+    return TileSide<Dim, Real>(words);
 }
 /// How far j stands from i, in units of place.
-[[gnu::always_inline]] inline FloatTile placeDifference(FloatQuad i, FloatQuad j) {
-    return toFloat(reinterpret_cast<WholeTile>(ofEachJ(j)) -
-                   reinterpret_cast<WholeTile>(ofEachI(i)));
+[[gnu::always_inline]] inline FloatTile placeDifference(FloatTile i, FloatTile j) {
+    return toFloat(reinterpret_cast<WholeTile>(j) - reinterpret_cast<WholeTile>(i));
 }
-[[gnu::always_inline]] inline DoubleTile placeDifference(DoubleQuad i, DoubleQuad j) {
-    using Words = float __attribute__((vector_size(32)));
-    const auto part = [](DoubleQuad a, auto rest) -> FloatQuad {
-        const auto words = reinterpret_cast<Words>(a);
-        if constexpr (rest)
-            return __builtin_shufflevector(words, words, 1, 3, 5, 7);
-        else
-            return __builtin_shufflevector(words, words, 0, 2, 4, 6);
+[[gnu::always_inline]] inline DoubleTile placeDifference(const DoubleTile& i, const DoubleTile& j) {
+    const auto half = [](Lanes a, Lanes b) -> Lanes {
+        const WholeTile whole = reinterpret_cast<WholeTile>(b) - reinterpret_cast<WholeTile>(a);
+        const auto rest = [](Lanes c) {
+            const auto words = reinterpret_cast<FloatTile>(c);
+            return toLanes(__builtin_shufflevector(words, words, 1, 3, 5, 7, 9, 11, 13, 15));
+        };
+        return lowLanes(__builtin_shufflevector(whole, whole, 0, 2, 4, 6, 8, 10, 12, 14, 0, 2, 4, 6,
+                                                8, 10, 12, 14)) +
+               (rest(b) - rest(a));
     };
-    constexpr std::false_type whole;
-    constexpr std::true_type rest;
-    const WholeTile d = reinterpret_cast<WholeTile>(ofEachJ(part(j, whole))) -
-                        reinterpret_cast<WholeTile>(ofEachI(part(i, whole)));
-    const FloatTile d_rest_j = ofEachJ(part(j, rest));
-    const FloatTile d_rest_i = ofEachI(part(i, rest));
-    return {lowLanes(d) + (lowLanes(d_rest_j) - lowLanes(d_rest_i)),
-            highLanes(d) + (highLanes(d_rest_j) - highLanes(d_rest_i))};
+    return {half(i.low, j.low), half(i.high, j.high)};
 }
 }  // namespace detail
 
@@ -179,16 +179,21 @@ class TileSums {
             tiles.chunks().size(),
             [&](std::size_t c) { addChunk<reaction, Real>(tiles.chunks()[c], words, term); }, 1);
     }
-    /// f(particle, slot, sums) for all particles, after add().
-    template <class Function>
-    void forEach(const PairTiles<Dim>& tiles, Function&& f) {
+    /// After add(): also(particle, sums) adds what else there is for the particles in the slots
+    /// `some`, which ascend; then f(particle, slot, sums) for all particles.
+    template <class Also, class Function>
+    void forEach(const PairTiles<Dim>& tiles, const std::vector<Index>& some, Also&& also,
+                 Function&& f) {
         parallelFor(
             tiles.chunks().size(),
             [&](std::size_t c) {
                 const auto& chunk = tiles.chunks()[c];
                 tiles.gather(chunk, sum_stride<N>, sums_.data());
-                const ExactNumber* sums = tiles.sumsOf(chunk, sum_stride<N>, sums_.data());
+                ExactNumber* sums = tiles.sumsOf(chunk, sum_stride<N>, sums_.data());
                 const Index* particles = tiles.particles();
+                for (auto slot = std::ranges::lower_bound(some, chunk.first_slot);
+                     slot != some.end() && *slot < chunk.end_slot; ++slot)
+                    also(particles[*slot], sums + sum_stride<N> * std::size_t{*slot});
                 for (Index slot = chunk.first_slot; slot < chunk.end_slot; ++slot) {
                     const Index i = particles[slot];
                     if (i == PairTiles<Dim>::none) continue;
@@ -210,11 +215,10 @@ class TileSums {
         for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c) {
             const Index first = chunk.first_slot + static_cast<Index>(c) * tile_side;
             const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
-            const auto i = detail::loadSide<Dim>(words, own, [](auto a) { return ofEachI(a); });
+            const auto i = detail::sideI<Dim>(words, own);
             ExactTile sum[N] = {};
             const auto tile = [&](Tile(&on_j)[N]) {
-                const auto other =
-                    detail::loadSide<Dim>(words, j, [](auto a) { return ofEachJ(a); });
+                const auto other = detail::sideJ<Dim>(words, j);
                 TilePairs<Dim, Real> pairs;
                 for (int k = 0; k < Dim; ++k)
                     pairs.gradient[k] = detail::placeDifference(i.place[k], other.place[k]);

@@ -50,7 +50,7 @@ void Columns<Dim>::build(const Vec<Dim>* points, std::size_t n, const Box<Dim>& 
     // Points that spread far (spray) must not make more bins than a few for each.
     double width = std::pow(tile_side, 1.0 / Dim) * spacing;
     double bin = 0.5 * spacing;
-    const double limit = std::min(8.0 * static_cast<double>(n) + 4096,
+    const double limit = std::min(3.0 * static_cast<double>(n) + 4096,
                                   static_cast<double>(std::numeric_limits<Index>::max()));
     const Vec<Dim> size = bounds.size();
     for (bool longer = true;; longer = !longer) {
@@ -69,7 +69,7 @@ void Columns<Dim>::build(const Vec<Dim>* points, std::size_t n, const Box<Dim>& 
     width_ = static_cast<float>(width / cutoff);
     bin_ = static_cast<float>(bin / cutoff);
 
-    start_.assign(bins + 1, 0);
+    start_.assign(bins + 2, 0);
     for (std::size_t i = 0; i < n; ++i) {
         std::size_t at = 0;
         for (int k = Dim - 1; k >= 0; --k) {
@@ -78,12 +78,11 @@ void Columns<Dim>::build(const Vec<Dim>* points, std::size_t n, const Box<Dim>& 
                  static_cast<std::size_t>(std::min(static_cast<int>(c), counts_[k] - 1));
         }
         bin_of_[i] = static_cast<Index>(at);
-        ++start_[at + 1];
+        ++start_[at + 2];
     }
-    for (std::size_t b = 0; b < bins; ++b) start_[b + 1] += start_[b];
-    for (std::size_t i = 0; i < n; ++i) order_[start_[bin_of_[i]]++] = static_cast<Index>(i);
-    for (std::size_t b = bins; b > 0; --b) start_[b] = start_[b - 1];
-    start_[0] = 0;
+    // Until all points are placed, entry b + 1 is where the next one of bin b goes.
+    for (std::size_t b = 1; b <= bins; ++b) start_[b + 1] += start_[b];
+    for (std::size_t i = 0; i < n; ++i) order_[start_[bin_of_[i] + 1]++] = static_cast<Index>(i);
 
     // Positions of pairs are told apart within four cutoffs (PairTiles).
     constexpr float longest = 1.25f;

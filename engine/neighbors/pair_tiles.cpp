@@ -191,10 +191,10 @@ template <class K, class Real>
 void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
                            ExactNumber* all_sums) const {
     constexpr double reach2 = places_of_cutoff * places_of_cutoff;
-    const Lanes q_per_place = lanes(K::reach / places_of_cutoff);
+    constexpr double q_per_place = K::reach / places_of_cutoff;
     const double h = kernel.smoothingLength();
-    const Lanes factor = lanes(-kernel.gradientFactor() * kernelUnit(kernel) / (h * h) *
-                               place_unit_ / gradient_unit_);
+    const double factor =
+        -kernel.gradientFactor() * kernelUnit(kernel) / (h * h) * place_unit_ / gradient_unit_;
     ExactNumber* sums = sumsOf(chunk, 1, all_sums);
     std::fill(sums + chunk.first_slot, sums + chunk.reach_end, ExactNumber{});
     AlignedVector<Real>& weights = chunk.template weights<Real>();
@@ -209,44 +209,57 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
     for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c) {
         const Index first = chunk.first_slot + static_cast<Index>(c) * tile_side;
         const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
-        FloatQuad quads[Place::size];
-        gatherWords<Place::words>(words, own, quads);
-        WholeTile whole[Dim];
-        FloatTile rest[Dim];
-        for (int k = 0; k < Dim; ++k) {
-            whole[k] = reinterpret_cast<WholeTile>(ofEachI(quads[k]));
-            rest[k] = ofEachI(quads[Dim + k]);
-        }
+        FloatTile of_i[Place::size];
+        gatherOfEachI<Place::words>(words, own, of_i);
         int filled = tile_side;  // empty slots are the last ones of a cluster
         while (columns_.point(first + static_cast<Index>(filled) - 1) == none) --filled;
         const WholeTile is_i = lane_i < filled;
 
         ExactTile sum[1] = {};
         const auto weighTile = [&](WholeTile is_pair) {
-            gatherWords<Place::words>(words, j, quads);
-            Lanes low2 = {}, high2 = {};
-            for (int k = 0; k < Dim; ++k) {
-                WholeTile d = reinterpret_cast<WholeTile>(ofEachJ(quads[k])) - whole[k];
-                if (k == 0) d = is_pair ? d : beyond + WholeTile{};
-                const FloatTile d_rest = ofEachJ(quads[Dim + k]) - rest[k];
-                const Lanes low = lowLanes(d) + lowLanes(d_rest);
-                const Lanes high = highLanes(d) + highLanes(d_rest);
-                low2 += low * low;
-                high2 += high * high;
+            FloatTile of_j[Place::size];
+            gatherOfEachJ<Place::words>(words, j, of_j);
+            WholeTile d[Dim];
+            for (int k = 0; k < Dim; ++k)
+                d[k] = reinterpret_cast<WholeTile>(of_j[k]) - reinterpret_cast<WholeTile>(of_i[k]);
+            d[0] = is_pair ? d[0] : beyond + WholeTile{};
+            Lanes w[2];
+            if constexpr (std::is_same_v<Real, float>) {
+                FloatTile r2 = {};
+                for (int k = 0; k < Dim; ++k) r2 += toFloat(d[k]) * toFloat(d[k]);
+                r2 += 1e-6f;
+                const FloatTile per_r = inverseSqrtTile(r2);
+                const FloatTile g = K::dwOverQ(static_cast<float>(q_per_place) * (r2 * per_r));
+                storeTile(
+                    r2 < static_cast<float>(reach2) ? static_cast<float>(factor) * g : FloatTile{},
+                    weight);
+                const auto evaluate = [&](auto&& half, Lanes x) {
+                    Lanes exact = {};
+                    for (int k = 0; k < Dim; ++k) exact += half(d[k]) * half(d[k]);
+                    x *= 1.5 - 0.5 * exact * x * x;  // twice the digits of a float
+                    const Lanes q = q_per_place * (exact * x);
+                    return exact < reach2 ? kernel_scale * K::w(q) : Lanes{};
+                };
+                w[0] = evaluate([](WholeTile a) { return lowLanes(a); }, lowLanes(per_r));
+                w[1] = evaluate([](WholeTile a) { return highLanes(a); }, highLanes(per_r));
+            } else {
+                DoubleTile r2, g;
+                for (int k = 0; k < Dim; ++k) {
+                    const FloatTile d_rest = of_j[Dim + k] - of_i[Dim + k];
+                    const DoubleTile exact = {lowLanes(d[k]) + lowLanes(d_rest),
+                                              highLanes(d[k]) + highLanes(d_rest)};
+                    r2 += exact * exact;
+                }
+                const auto evaluate = [&](Lanes r2, Lanes& w, Lanes& g) {
+                    const Lanes q = q_per_place * (r2 * inverseSqrtLanes(r2 + 1e-30));
+                    const LaneMask inside = r2 < reach2;
+                    w = inside ? kernel_scale * K::w(q) : Lanes{};
+                    g = inside ? factor * K::dwOverQ(q) : Lanes{};
+                };
+                evaluate(r2.low, w[0], g.low);
+                evaluate(r2.high, w[1], g.high);
+                storeTile(g, weight);
             }
-            Lanes w[2], g[2];
-            const auto evaluate = [&](Lanes r2, int half) {
-                const Lanes q = q_per_place * (r2 * inverseSqrtLanes(r2 + 1e-30));
-                const LaneMask inside = r2 < reach2;
-                w[half] = inside ? kernel_scale * K::w(q) : Lanes{};
-                g[half] = inside ? factor * K::dwOverQ(q) : Lanes{};
-            };
-            evaluate(low2, 0);
-            evaluate(high2, 1);
-            if constexpr (std::is_same_v<Real, float>)
-                storeTile(joinFloats(g[0], g[1]), weight);
-            else
-                storeTile(DoubleTile{g[0], g[1]}, weight);
             weight += tile_size;
             const ExactTile term(w[0], w[1]);
             sum[0] += term;

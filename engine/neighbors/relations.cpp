@@ -72,6 +72,7 @@ void Relations<Dim>::update(Relation<Dim>& r) {
     if (r.from_version == r.from->version && r.to_version == r.to->version) return;
     buildList(grid(*r.from), grid(*r.to), r.from == r.to, commonKernel(*r.from, *r.to),
               world_->domain, r.list);
+    ++r.builds;
     r.from_version = r.from->version;
     r.to_version = r.to->version;
     r.from_arrangement = r.from->particles.arrangement();

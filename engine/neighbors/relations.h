@@ -27,6 +27,7 @@ struct Relation {
     const bodies::Body<Dim>* from = nullptr;
     const bodies::Body<Dim>* to = nullptr;
     NeighborList<Dim> list;
+    std::uint64_t builds = 0;                        ///< of the list
     std::uint64_t from_version = ~std::uint64_t{0};  ///< versions of the bodies when last built
     std::uint64_t to_version = ~std::uint64_t{0};
     std::uint64_t from_arrangement = ~std::uint64_t{0};  ///< of their particles, likewise

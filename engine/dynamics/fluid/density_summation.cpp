@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
 
 namespace sphinx::dynamics::fluid {
@@ -149,12 +148,17 @@ void DensitySummation<Dim>::findInside() {
         const std::uint8_t of_i = i_lacks[0] | i_lacks[1] | i_lacks[2] | i_lacks[3];
         const std::uint8_t of_j = lacks_[j[0]] | lacks_[j[1]] | lacks_[j[2]] | lacks_[j[3]];
         if ((of_i | of_j) == 0) return;
-        for (unsigned left = pairs(); left != 0; left &= left - 1) {
-            const auto pair = static_cast<Index>(std::countr_zero(left));
-            const Index i = pair / tile_side;
-            const Index slot = j[pair % tile_side];
-            if (i_lacks[i] != 0) tell(slot);
-            if (lacks_[slot] != 0) tell(first + i);
+        // Lane 4 i + j is the pair of i and j.
+        const unsigned all = pairs();
+        unsigned of_lacking_i = 0, of_lacking_j = 0;
+        for (int k = 0; k < tile_side; ++k) {
+            if (i_lacks[k] != 0) of_lacking_i |= 0xfu << (tile_side * k);
+            if (lacks_[j[k]] != 0) of_lacking_j |= 0x1111u << k;
+        }
+        for (int k = 0; k < tile_side; ++k) {
+            if ((all & of_lacking_i & (0x1111u << k)) != 0) tell(j[k]);
+            if ((all & of_lacking_j & (0xfu << (tile_side * k))) != 0)
+                tell(first + static_cast<Index>(k));
         }
     });
 }

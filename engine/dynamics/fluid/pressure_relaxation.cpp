@@ -290,31 +290,34 @@ void PressureRelaxation<Dim>::momentum(double dt) {
         });
     const double pressure_unit = constants_.rho0 * constants_.c0 * constants_.c0;
     const double unit = pressure_unit * cell_ * cell_ * tiles.gradientUnit();
+    const double per_unit = 1 / unit;
     const double per_c0 = 1 / constants_.c0;
     const double per_pressure = 1 / pressure_unit;
     const std::vector<SumGrid> grids = wallGrids(largest_force_);
-    forces_.forEach(tiles, [&, velocity = velocity_.data(), external = external_.data(),
-                            mass = mass_.data(), pressure = pressure_.data(),
-                            position = position_.data(), records = records_.template data<Real>(),
-                            weight = weight_, mean = mean_velocity_](Index i, Index slot, const ExactNumber* own)
-                               __attribute__((always_inline)) {
-        const Vec<Dim> v = velocity[i];
-        const Vec<Dim> g = external[i];
-        Vec<Dim> force;
-        for (int c = 0; c < Dim; ++c) force[c] = unit * static_cast<double>(own[c]);
+    const auto atWalls = [&](Index i, ExactNumber* sums) {
+        Vec<Dim> force = Vec<Dim>::Zero();
         for (std::size_t w = 0; w < grids.size(); ++w)
-            if (around_.walls()[w].list().ranges[i].count != 0)
-                addWallForce<R>(around_.walls()[w], grids[w], i, force);
-        TileRecord<Dim, Real>& next = records[slot];
-        const double factor = -dt / mass[i];
-        for (int c = 0; c < Dim; ++c) {
-            const double vc = v[c] + factor * force[c] + dt * g[c];
-            velocity[i][c] = vc;
-            next.v[c] = static_cast<Real>(per_c0 * (vc - mean[c]));
-        }
-        const double p = pressure[i] - dot<Dim>(weight.data(), position[i].data());
-        next.p = static_cast<Real>(per_pressure * p);
-    });
+            addWallForce<R>(around_.walls()[w], grids[w], i, force);
+        for (int c = 0; c < Dim; ++c) sums[c] += exactNumber(per_unit * force[c]);
+    };
+    forces_.forEach(
+        tiles, around_.slotsAtWalls(), atWalls, [
+            =, velocity = velocity_.data(), external = external_.data(), mass = mass_.data(),
+            pressure = pressure_.data(), position = position_.data(),
+            records = records_.template data<Real>(), weight = weight_, mean = mean_velocity_
+        ](Index i, Index slot, const ExactNumber* sums) __attribute__((always_inline)) {
+            const Vec<Dim> v = velocity[i];
+            const Vec<Dim> g = external[i];
+            TileRecord<Dim, Real>& next = records[slot];
+            const double factor = -dt * unit / mass[i];
+            for (int c = 0; c < Dim; ++c) {
+                const double vc = v[c] + factor * static_cast<double>(sums[c]) + dt * g[c];
+                velocity[i][c] = vc;
+                next.v[c] = static_cast<Real>(per_c0 * (vc - mean[c]));
+            }
+            const double p = pressure[i] - dot<Dim>(weight.data(), position[i].data());
+            next.p = static_cast<Real>(per_pressure * p);
+        });
 }
 
 /// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the particles of a wall.
@@ -348,12 +351,13 @@ Vec<Dim> PressureRelaxation<Dim>::slipImpulse(const WallFields<Dim>& fields,
 template <int Dim>
 template <class Real>
 void PressureRelaxation<Dim>::addSlipImpulses() {
+    const std::vector<Index>& slots = around_.slotsAtWalls();
     for (const auto& wall : around_.walls()) {
         if (!wall.fields.responds) continue;
-        const PairTiles<Dim>& tiles = around_.own();
-        parallelFor(tiles.firstCopy(), [&](std::size_t s) {
-            const Index i = tiles.particle(static_cast<Index>(s));
-            if (i == PairTiles<Dim>::none || wall.list().ranges[i].count == 0) return;
+        parallelFor(slots.size(), [&](std::size_t k) {
+            const Index s = slots[k];
+            const Index i = around_.own().particles()[s];
+            if (wall.list().ranges[i].count == 0) return;
             velocity_[i] += slipImpulse(wall.fields, wall.list(), i) / mass_[i];
             TileRecord<Dim, Real>& record = records_.template data<Real>()[s];
             for (int c = 0; c < Dim; ++c)
@@ -456,20 +460,24 @@ void PressureRelaxation<Dim>::continuity(double dt) {
         });
     const double half = 0.5 * dt;
     const double unit = constants_.c0 * cell_ * tiles.gradientUnit();
+    const double per_unit = 1 / unit;
     const std::vector<SumGrid> grids = wallGrids(largest_rate_);
-    rates_.forEach(tiles, [&, velocity = velocity_.data(), density = density_.data(),
-                           density_rate = density_rate_.data(), position = position_.data()](
-                              Index i, Index, const ExactNumber* own)
-                              __attribute__((always_inline)) {
-        double closing = unit * static_cast<double>(own[0]);
+    const auto atWalls = [&](Index i, ExactNumber* sums) {
+        double closing = 0;
         for (std::size_t w = 0; w < grids.size(); ++w)
-            if (around_.walls()[w].list().ranges[i].count != 0)
-                closing += wallClosing(around_.walls()[w], grids[w], i);
-        const double rate = density[i] * closing;
-        density_rate[i] = rate;
-        density[i] += half * rate;
-        position[i] += half * velocity[i];
-    });
+            closing += wallClosing(around_.walls()[w], grids[w], i);
+        sums[0] += exactNumber(per_unit * closing);
+    };
+    rates_.forEach(
+        tiles, around_.slotsAtWalls(), atWalls, [
+            =, velocity = velocity_.data(), density = density_.data(),
+            density_rate = density_rate_.data(), position = position_.data()
+        ](Index i, Index, const ExactNumber* sums) __attribute__((always_inline)) {
+            const double rate = density[i] * (unit * static_cast<double>(sums[0]));
+            density_rate[i] = rate;
+            density[i] += half * rate;
+            position[i] += half * velocity[i];
+        });
 }
 
 /// sum_j 2 (v_i - v*_ij) . e_ij W' V_j over the particles of a wall.

@@ -5,6 +5,8 @@
 #include "dynamics/context.h"
 #include "dynamics/fluid/wall_fields.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace sphinx::dynamics::fluid {
@@ -40,6 +42,23 @@ class Surroundings {
     /// The fluid's own particles. The fluid is known to see itself.
     const PairTiles<Dim>& own() const { return *own_; }
     const std::vector<Wall>& walls() const { return walls_; }
+    /// Slots of own(), ascending, of the particles that have neighbors in any of the walls.
+    const std::vector<Index>& slotsAtWalls() {
+        std::vector<std::uint64_t> builds{own_->builds()};
+        for (const Wall& wall : walls_) builds.push_back(wall.relation->builds);
+        if (builds == builds_) return slots_at_walls_;
+        builds_ = builds;
+        slots_at_walls_.clear();
+        if (walls_.empty()) return slots_at_walls_;
+        for (Index slot = 0; slot < own_->firstCopy(); ++slot) {
+            const Index i = own_->particles()[slot];
+            if (i != PairTiles<Dim>::none && std::ranges::any_of(walls_, [&](const Wall& wall) {
+                    return wall.list().ranges[i].count != 0;
+                }))
+                slots_at_walls_.push_back(slot);
+        }
+        return slots_at_walls_;
+    }
     /// nullptr where the body is none of the walls.
     const Wall* wall(const Body<Dim>& body) const {
         for (const Wall& wall : walls_)
@@ -50,6 +69,8 @@ class Surroundings {
  private:
     const PairTiles<Dim>* own_ = nullptr;
     std::vector<Wall> walls_;
+    std::vector<Index> slots_at_walls_;
+    std::vector<std::uint64_t> builds_;  // of the lists, when they were found
 };
 
 }  // namespace sphinx::dynamics::fluid

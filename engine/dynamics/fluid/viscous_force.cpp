@@ -197,23 +197,25 @@ void ViscousForce<Dim>::accelerate() {
             for (int c = 0; c < Dim; ++c) on_i[c] = f * direction[c];
         });
     const double unit = speed * cell * cell * tiles.gradientUnit() / (places * tiles.placeUnit());
-    sums_.forEach(tiles, [&](Index i, Index, const ExactNumber* own) {
-        const Vec<Dim> v = velocity_[i];
-        Vec<Dim> force;
-        for (int c = 0; c < Dim; ++c) force[c] = unit * static_cast<double>(own[c]);
+    const auto atWalls = [&](Index i, ExactNumber* sums) {
         for (const auto& wall : around_.walls()) {
             const NeighborList<Dim>& list = wall.list();
-            if (list.ranges[i].count == 0) continue;
             ExactSums<Dim> sum(SumGrid(largest_ / list.gradient_unit));
             forEachWallPair<Dim>(
-                wall.fields, list, i, v, nearest_,
+                wall.fields, list, i, velocity_[i], nearest_,
                 [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
                     addPairs<F, Dim>(pair, v_ij, r, volume_[i] * V_j, sum);
                 });
-            for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
+            for (int c = 0; c < Dim; ++c)
+                sums[c] += exactNumber(list.gradient_unit / unit * sum[c].value());
         }
-        external_[i] += (factor_ / mass_[i]) * force;
-    });
+    };
+    sums_.forEach(tiles, around_.slotsAtWalls(), atWalls,
+                  [&](Index i, Index, const ExactNumber* sums) {
+                      const double factor = factor_ * unit / mass_[i];
+                      for (int c = 0; c < Dim; ++c)
+                          external_[i][c] += factor * static_cast<double>(sums[c]);
+                  });
 }
 
 template <int Dim>

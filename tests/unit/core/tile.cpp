@@ -64,27 +64,25 @@ TEST_CASE("terms of a tile are rounded to whole numbers, to the even one of two 
     CHECK(b.high[7] == -1);
 }
 
-TEST_CASE("words of four particles in the lanes of their pairs") {
-    float records[5 * 8];
-    for (int k = 0; k < 5 * 8; ++k) records[k] = static_cast<float>(k);
+TEMPLATE_TEST_CASE("words of four particles in the lanes of their pairs", "", float, double) {
+    using Real = TestType;
+    Real records[5 * 8];
+    for (int k = 0; k < 5 * 8; ++k) records[k] = static_cast<Real>(k);
     const std::uint32_t at[tile_side] = {4, 0, 3, 1};
-    FloatQuad six[8];
-    gatherWords<6>(records, at, six);
-    FloatQuad eight[8];
-    gatherWords<8>(records, at, eight);
-    for (int c = 0; c < 8; ++c) {
-        const FloatTile i = ofEachI(eight[c]);
-        const FloatTile j = ofEachJ(eight[c]);
-        for (int k = 0; k < tile_side; ++k) {
-            const auto word = static_cast<float>(8 * at[k] + static_cast<unsigned>(c));
-            CHECK(eight[c][k] == word);
-            if (c < 6) CHECK(six[c][k] == word);
-            for (int m = 0; m < tile_side; ++m) {
-                CHECK(i[tile_side * k + m] == word);
-                CHECK(j[tile_side * m + k] == word);
-            }
-        }
-    }
+    const auto check = [&]<int Words, int Size>() {
+        TileOf<Real> of_i[Size], of_j[Size];
+        gatherOfEachI<Words>(records, at, of_i);
+        gatherOfEachJ<Words>(records, at, of_j);
+        for (int c = 0; c < Words; ++c)
+            for (int i = 0; i < tile_side; ++i)
+                for (int j = 0; j < tile_side; ++j) {
+                    CHECK(of_i[c][tile_side * i + j] == Size * at[i] + static_cast<unsigned>(c));
+                    CHECK(of_j[c][tile_side * i + j] == Size * at[j] + static_cast<unsigned>(c));
+                }
+    };
+    check.template operator()<4, 4>();
+    check.template operator()<6, 8>();
+    check.template operator()<8, 8>();
 }
 
 TEST_CASE("roots and places of a tile") {
