@@ -53,6 +53,14 @@ template <class Number>
     else
         return a < b ? a : b;
 }
+/// 1 where a > 0, elsewhere -1.
+template <class Number>
+[[gnu::always_inline]] inline Number signOf(Number a) {
+    if constexpr (std::is_same_v<Number, DoubleTile>)
+        return {signOf<Lanes>(a.low), signOf<Lanes>(a.high)};
+    else
+        return a > Number{} ? everywhere<Number>(1) : everywhere<Number>(-1);
+}
 template <class Number>
 [[gnu::always_inline]] inline Number absolute(Number a) {
     return larger<Number>(a, -a);

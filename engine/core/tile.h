@@ -227,9 +227,6 @@ inline ExactLanes toExact(Lanes a) {
 #endif
 }
 
-/// One number, rounded likewise.
-inline ExactNumber exactNumber(double a) { return static_cast<ExactNumber>(std::nearbyint(a)); }
-
 /// The terms of sixteen pairs, or sums of such.
 struct ExactTile {
     ExactLanes low = {};   // of the first two i

@@ -179,25 +179,33 @@ class TileSums {
             tiles.chunks().size(),
             [&](std::size_t c) { addChunk<reaction, Real>(tiles.chunks()[c], words, term); }, 1);
     }
-    /// After add(): also(particle, sums) adds what else there is for the particles in the slots
-    /// `some`, which ascend; then f(particle, slot, sums) for all particles.
+    /// After add(): f(particle, slot, sums) for all particles; sums are in the unit that is `unit`
+    /// of one. Before, also(particle, sums) adds what else there is for the particles in the slots
+    /// `some`, which ascend.
     template <class Also, class Function>
-    void forEach(const PairTiles<Dim>& tiles, const std::vector<Index>& some, Also&& also,
-                 Function&& f) {
+    void forEach(const PairTiles<Dim>& tiles, double unit, const std::vector<Index>& some,
+                 Also&& also, Function&& f) {
         parallelFor(
             tiles.chunks().size(),
             [&](std::size_t c) {
                 const auto& chunk = tiles.chunks()[c];
                 tiles.gather(chunk, sum_stride<N>, sums_.data());
-                ExactNumber* sums = tiles.sumsOf(chunk, sum_stride<N>, sums_.data());
+                const ExactNumber* exact = tiles.sumsOf(chunk, sum_stride<N>, sums_.data());
                 const Index* particles = tiles.particles();
-                for (auto slot = std::ranges::lower_bound(some, chunk.first_slot);
-                     slot != some.end() && *slot < chunk.end_slot; ++slot)
-                    also(particles[*slot], sums + sum_stride<N> * std::size_t{*slot});
+                auto next = std::ranges::lower_bound(some, chunk.first_slot);
                 for (Index slot = chunk.first_slot; slot < chunk.end_slot; ++slot) {
                     const Index i = particles[slot];
                     if (i == PairTiles<Dim>::none) continue;
-                    f(i, slot, sums + sum_stride<N> * std::size_t{slot});
+                    std::array<double, N> sums;
+                    for (int n = 0; n < N; ++n)
+                        sums[n] =
+                            unit * static_cast<double>(exact[sum_stride<N> * std::size_t{slot} +
+                                                             static_cast<std::size_t>(n)]);
+                    if (next != some.end() && *next == slot) {
+                        also(i, sums);
+                        ++next;
+                    }
+                    f(i, slot, sums);
                 }
             },
             1);

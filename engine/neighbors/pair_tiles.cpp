@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "neighbors/pair_tiles.h"
 
+#include "core/number.h"
 #include "core/parallel.h"
 #include "neighbors/candidates.h"
 
@@ -124,11 +125,12 @@ void PairTiles<Dim>::makeCopies(const Vec<Dim>* position, std::size_t n, const B
             const Vec<Dim> x = position[i] + shift;
             if (!around.contains(x)) continue;
             Place place = placeOf<Dim>(position[i], per_unit);
-            // Of the period no rest is taken: so the pair is the same from either side.
-            for (int k = 0; k < Dim; ++k)
+            for (int k = 0; k < Dim; ++k) {
                 place.whole[k] =
                     static_cast<std::int32_t>(static_cast<std::uint32_t>(place.whole[k]) +
                                               static_cast<std::uint32_t>(shifted.whole[k]));
+                place.rest[k] += shifted.rest[k];
+            }
             copies_.push_back(static_cast<Index>(i));
             copy_places_.push_back(place);
             copy_positions_.push_back(x);
@@ -220,46 +222,36 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
             FloatTile of_j[Place::size];
             gatherOfEachJ<Place::words>(words, j, of_j);
             WholeTile d[Dim];
-            for (int k = 0; k < Dim; ++k)
+            FloatTile d_rest[Dim];
+            for (int k = 0; k < Dim; ++k) {
                 d[k] = reinterpret_cast<WholeTile>(of_j[k]) - reinterpret_cast<WholeTile>(of_i[k]);
-            d[0] = is_pair ? d[0] : beyond + WholeTile{};
-            Lanes w[2];
-            if constexpr (std::is_same_v<Real, float>) {
-                FloatTile r2 = {};
-                for (int k = 0; k < Dim; ++k) r2 += toFloat(d[k]) * toFloat(d[k]);
-                r2 += 1e-6f;
-                const FloatTile per_r = inverseSqrtTile(r2);
-                const FloatTile g = K::dwOverQ(static_cast<float>(q_per_place) * (r2 * per_r));
-                storeTile(
-                    r2 < static_cast<float>(reach2) ? static_cast<float>(factor) * g : FloatTile{},
-                    weight);
-                const auto evaluate = [&](auto&& half, Lanes x) {
-                    Lanes exact = {};
-                    for (int k = 0; k < Dim; ++k) exact += half(d[k]) * half(d[k]);
-                    x *= 1.5 - 0.5 * exact * x * x;  // twice the digits of a float
-                    const Lanes q = q_per_place * (exact * x);
-                    return exact < reach2 ? kernel_scale * K::w(q) : Lanes{};
-                };
-                w[0] = evaluate([](WholeTile a) { return lowLanes(a); }, lowLanes(per_r));
-                w[1] = evaluate([](WholeTile a) { return highLanes(a); }, highLanes(per_r));
-            } else {
-                DoubleTile r2, g;
-                for (int k = 0; k < Dim; ++k) {
-                    const FloatTile d_rest = of_j[Dim + k] - of_i[Dim + k];
-                    const DoubleTile exact = {lowLanes(d[k]) + lowLanes(d_rest),
-                                              highLanes(d[k]) + highLanes(d_rest)};
-                    r2 += exact * exact;
-                }
-                const auto evaluate = [&](Lanes r2, Lanes& w, Lanes& g) {
-                    const Lanes q = q_per_place * (r2 * inverseSqrtLanes(r2 + 1e-30));
-                    const LaneMask inside = r2 < reach2;
-                    w = inside ? kernel_scale * K::w(q) : Lanes{};
-                    g = inside ? factor * K::dwOverQ(q) : Lanes{};
-                };
-                evaluate(r2.low, w[0], g.low);
-                evaluate(r2.high, w[1], g.high);
-                storeTile(g, weight);
+                d_rest[k] = of_j[Dim + k] - of_i[Dim + k];
             }
+            d[0] = is_pair ? d[0] : beyond + WholeTile{};
+            DoubleTile exact[Dim];
+            for (int k = 0; k < Dim; ++k)
+                exact[k] = {lowLanes(d[k]) + lowLanes(d_rest[k]),
+                            highLanes(d[k]) + highLanes(d_rest[k])};
+            const DoubleTile r2 = dot<Dim>(exact, exact);
+            // Twice the digits of a float: enough for sums, and weights that become floats.
+            FloatTile near2 = tile(1e-6f);
+            for (int k = 0; k < Dim; ++k) near2 += toFloat(d[k]) * toFloat(d[k]);
+            const FloatTile per_r = inverseSqrtTile(near2);
+            Lanes w[2], g[2];
+            const auto evaluate = [&](Lanes r2, Lanes x, int half) {
+                x *= 1.5 - 0.5 * r2 * x * x;
+                if (std::is_same_v<Real, double>) x *= 1.5 - 0.5 * r2 * x * x;
+                const Lanes q = q_per_place * (r2 * x);
+                const LaneMask inside = r2 < reach2;
+                w[half] = inside ? kernel_scale * K::w(q) : Lanes{};
+                g[half] = inside ? factor * K::dwOverQ(q) : Lanes{};
+            };
+            evaluate(r2.low, lowLanes(per_r), 0);
+            evaluate(r2.high, highLanes(per_r), 1);
+            if constexpr (std::is_same_v<Real, float>)
+                storeTile(joinFloats(g[0], g[1]), weight);
+            else
+                storeTile(DoubleTile{g[0], g[1]}, weight);
             weight += tile_size;
             const ExactTile term(w[0], w[1]);
             sum[0] += term;

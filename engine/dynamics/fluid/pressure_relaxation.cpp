@@ -103,7 +103,7 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     std::vector<SumGrid> wallGrids(double largest) const;
     template <Riemann R>
     void addWallForce(const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i,
-                      Vec<Dim>& force) const;
+                      std::array<double, Dim>& force) const;
     double wallClosing(const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid,
                        Index i) const;
     template <Riemann R, class Real>
@@ -290,34 +290,33 @@ void PressureRelaxation<Dim>::momentum(double dt) {
         });
     const double pressure_unit = constants_.rho0 * constants_.c0 * constants_.c0;
     const double unit = pressure_unit * cell_ * cell_ * tiles.gradientUnit();
-    const double per_unit = 1 / unit;
     const double per_c0 = 1 / constants_.c0;
     const double per_pressure = 1 / pressure_unit;
     const std::vector<SumGrid> grids = wallGrids(largest_force_);
-    const auto atWalls = [&](Index i, ExactNumber* sums) {
-        Vec<Dim> force = Vec<Dim>::Zero();
+    const auto addWalls = [&](Index i, std::array<double, Dim>& force) {
         for (std::size_t w = 0; w < grids.size(); ++w)
             addWallForce<R>(around_.walls()[w], grids[w], i, force);
-        for (int c = 0; c < Dim; ++c) sums[c] += exactNumber(per_unit * force[c]);
     };
     forces_.forEach(
-        tiles, around_.slotsAtWalls(), atWalls, [
+        tiles, unit, around_.slotsAtWalls(), addWalls,
+        [
             =, velocity = velocity_.data(), external = external_.data(), mass = mass_.data(),
             pressure = pressure_.data(), position = position_.data(),
             records = records_.template data<Real>(), weight = weight_, mean = mean_velocity_
-        ](Index i, Index slot, const ExactNumber* sums) __attribute__((always_inline)) {
-            const Vec<Dim> v = velocity[i];
-            const Vec<Dim> g = external[i];
-            TileRecord<Dim, Real>& next = records[slot];
-            const double factor = -dt * unit / mass[i];
-            for (int c = 0; c < Dim; ++c) {
-                const double vc = v[c] + factor * static_cast<double>(sums[c]) + dt * g[c];
-                velocity[i][c] = vc;
-                next.v[c] = static_cast<Real>(per_c0 * (vc - mean[c]));
-            }
-            const double p = pressure[i] - dot<Dim>(weight.data(), position[i].data());
-            next.p = static_cast<Real>(per_pressure * p);
-        });
+        ](Index i, Index slot, const std::array<double, Dim>& force)
+            __attribute__((always_inline)) {
+                const Vec<Dim> v = velocity[i];
+                const Vec<Dim> g = external[i];
+                TileRecord<Dim, Real>& next = records[slot];
+                const double factor = -dt / mass[i];
+                for (int c = 0; c < Dim; ++c) {
+                    const double vc = v[c] + factor * force[c] + dt * g[c];
+                    velocity[i][c] = vc;
+                    next.v[c] = static_cast<Real>(per_c0 * (vc - mean[c]));
+                }
+                const double p = pressure[i] - dot<Dim>(weight.data(), position[i].data());
+                next.p = static_cast<Real>(per_pressure * p);
+            });
 }
 
 /// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the particles of a wall.
@@ -325,7 +324,7 @@ template <int Dim>
 template <Riemann R>
 [[gnu::noinline]] void PressureRelaxation<Dim>::addWallForce(
     const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i,
-    Vec<Dim>& force) const {
+    std::array<double, Dim>& force) const {
     const NeighborList<Dim>& list = wall.list();
     const FluidSide<Dim, Lanes> fluid =
         oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i]);
@@ -460,20 +459,17 @@ void PressureRelaxation<Dim>::continuity(double dt) {
         });
     const double half = 0.5 * dt;
     const double unit = constants_.c0 * cell_ * tiles.gradientUnit();
-    const double per_unit = 1 / unit;
     const std::vector<SumGrid> grids = wallGrids(largest_rate_);
-    const auto atWalls = [&](Index i, ExactNumber* sums) {
-        double closing = 0;
+    const auto addWalls = [&](Index i, std::array<double, 1>& closing) {
         for (std::size_t w = 0; w < grids.size(); ++w)
-            closing += wallClosing(around_.walls()[w], grids[w], i);
-        sums[0] += exactNumber(per_unit * closing);
+            closing[0] += wallClosing(around_.walls()[w], grids[w], i);
     };
     rates_.forEach(
-        tiles, around_.slotsAtWalls(), atWalls, [
+        tiles, unit, around_.slotsAtWalls(), addWalls, [
             =, velocity = velocity_.data(), density = density_.data(),
             density_rate = density_rate_.data(), position = position_.data()
-        ](Index i, Index, const ExactNumber* sums) __attribute__((always_inline)) {
-            const double rate = density[i] * (unit * static_cast<double>(sums[0]));
+        ](Index i, Index, const std::array<double, 1>& closing) __attribute__((always_inline)) {
+            const double rate = density[i] * closing[0];
             density_rate[i] = rate;
             density[i] += half * rate;
             position[i] += half * velocity[i];

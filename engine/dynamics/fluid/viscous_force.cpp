@@ -197,7 +197,7 @@ void ViscousForce<Dim>::accelerate() {
             for (int c = 0; c < Dim; ++c) on_i[c] = f * direction[c];
         });
     const double unit = speed * cell * cell * tiles.gradientUnit() / (places * tiles.placeUnit());
-    const auto atWalls = [&](Index i, ExactNumber* sums) {
+    const auto addWalls = [&](Index i, std::array<double, Dim>& force) {
         for (const auto& wall : around_.walls()) {
             const NeighborList<Dim>& list = wall.list();
             ExactSums<Dim> sum(SumGrid(largest_ / list.gradient_unit));
@@ -206,15 +206,13 @@ void ViscousForce<Dim>::accelerate() {
                 [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
                     addPairs<F, Dim>(pair, v_ij, r, volume_[i] * V_j, sum);
                 });
-            for (int c = 0; c < Dim; ++c)
-                sums[c] += exactNumber(list.gradient_unit / unit * sum[c].value());
+            for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
         }
     };
-    sums_.forEach(tiles, around_.slotsAtWalls(), atWalls,
-                  [&](Index i, Index, const ExactNumber* sums) {
-                      const double factor = factor_ * unit / mass_[i];
-                      for (int c = 0; c < Dim; ++c)
-                          external_[i][c] += factor * static_cast<double>(sums[c]);
+    sums_.forEach(tiles, unit, around_.slotsAtWalls(), addWalls,
+                  [&](Index i, Index, const std::array<double, Dim>& force) {
+                      const double factor = factor_ / mass_[i];
+                      for (int c = 0; c < Dim; ++c) external_[i][c] += factor * force[c];
                   });
 }
 

@@ -11,8 +11,8 @@ namespace sphinx::test {
 
 /// Lists hold gradients and distances as 32-bit whole numbers.
 inline constexpr double list_error = 1e-8;
-/// The pairs of a fluid's own particles are computed in single precision.
-inline constexpr double pair_error = 1e-6;
+/// Of sums over pairs in single precision: some roundings of 6e-8.
+inline constexpr double single_error = 1e-6;
 
 /// Gives every particle the value of(x) of a scalar or vector field, x being its position.
 template <int Dim, class Of>

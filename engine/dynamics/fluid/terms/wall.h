@@ -42,8 +42,7 @@ template <int Dim, class Number>
                                                   WallSide<Dim, Number>& wall,
                                                   const Pair<Dim, Number>& pair) {
     // The gradient -abs(W') e_ij points to the wall.
-    const Number sign =
-        dot<Dim>(wall.n, pair.gradient) > Number{} ? everywhere<Number>(-1) : everywhere<Number>(1);
+    const Number sign = -signOf<Number>(dot<Dim>(wall.n, pair.gradient));
     Number closing[Dim];
     for (int c = 0; c < Dim; ++c) {
         wall.n[c] *= sign;
