@@ -218,61 +218,54 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
         const WholeTile is_i = lane_i < filled;
 
         ExactTile sum[1] = {};
-        const auto weighTile = [&](WholeTile is_pair) {
+        const Range& range = chunk.ranges[c];
+        const std::uint32_t end = chunk.ranges[c + 1].one_sided;
+        for (std::uint32_t t = range.one_sided; t < end; ++t, j += tile_side, weight += tile_size) {
+            WholeTile is_pair = is_i;
+            if (t == range.one_sided) {
+                is_pair &= (lane_j < filled) & (lane_i != lane_j);
+            } else if (t + 1 == range.two_sided || t + 1 == end) {
+                // Places of a last tile that repeat a slot of the cluster.
+                int pairs = tile_side;
+                while (pairs > 0 && j[pairs - 1] - first < tile_side) --pairs;
+                is_pair &= lane_j < pairs;
+            }
             FloatTile of_j[Place::size];
             gatherOfEachJ<Place::words>(words, j, of_j);
-            WholeTile d[Dim];
-            FloatTile d_rest[Dim];
-            for (int k = 0; k < Dim; ++k) {
-                d[k] = reinterpret_cast<WholeTile>(of_j[k]) - reinterpret_cast<WholeTile>(of_i[k]);
-                d_rest[k] = of_j[Dim + k] - of_i[Dim + k];
-            }
-            d[0] = is_pair ? d[0] : beyond + WholeTile{};
             DoubleTile exact[Dim];
-            for (int k = 0; k < Dim; ++k)
-                exact[k] = {lowLanes(d[k]) + lowLanes(d_rest[k]),
-                            highLanes(d[k]) + highLanes(d_rest[k])};
-            const DoubleTile r2 = dot<Dim>(exact, exact);
+            FloatTile near2 = tile(1e-6f), rest2 = {};
+            for (int k = 0; k < Dim; ++k) {
+                WholeTile d =
+                    reinterpret_cast<WholeTile>(of_j[k]) - reinterpret_cast<WholeTile>(of_i[k]);
+                if (k == 0) d = is_pair ? d : beyond + WholeTile{};
+                exact[k] = {lowLanes(d), highLanes(d)};
+                const FloatTile rounded = toFloat(d);
+                near2 += rounded * rounded;
+                rest2 += rounded * (of_j[Dim + k] - of_i[Dim + k]);
+            }
+            const DoubleTile r2 =
+                dot<Dim>(exact, exact) + 2.0 * DoubleTile{lowLanes(rest2), highLanes(rest2)};
             // Twice the digits of a float: enough for sums, and weights that become floats.
-            FloatTile near2 = tile(1e-6f);
-            for (int k = 0; k < Dim; ++k) near2 += toFloat(d[k]) * toFloat(d[k]);
             const FloatTile per_r = inverseSqrtTile(near2);
-            Lanes w[2], g[2];
-            const auto evaluate = [&](Lanes r2, Lanes x, int half) {
+            DoubleTile w, g;
+            const auto evaluate = [&](Lanes r2, Lanes x, Lanes & w, Lanes & g)
+                __attribute__((always_inline)) {
                 x *= 1.5 - 0.5 * r2 * x * x;
                 if (std::is_same_v<Real, double>) x *= 1.5 - 0.5 * r2 * x * x;
                 const Lanes q = q_per_place * (r2 * x);
                 const LaneMask inside = r2 < reach2;
-                w[half] = inside ? kernel_scale * K::w(q) : Lanes{};
-                g[half] = inside ? factor * K::dwOverQ(q) : Lanes{};
+                w = inside ? kernel_scale * K::w(q) : Lanes{};
+                g = inside ? factor * K::dwOverQ(q) : Lanes{};
             };
-            evaluate(r2.low, lowLanes(per_r), 0);
-            evaluate(r2.high, highLanes(per_r), 1);
+            evaluate(r2.low, lowLanes(per_r), w.low, g.low);
+            evaluate(r2.high, highLanes(per_r), w.high, g.high);
             if constexpr (std::is_same_v<Real, float>)
-                storeTile(joinFloats(g[0], g[1]), weight);
+                storeTile(joinFloats(g.low, g.high), weight);
             else
-                storeTile(DoubleTile{g[0], g[1]}, weight);
-            weight += tile_size;
-            const ExactTile term(w[0], w[1]);
-            sum[0] += term;
-            return term;
-        };
-        const Range& range = chunk.ranges[c];
-        const std::uint32_t end = chunk.ranges[c + 1].one_sided;
-        // Places of the last tile that repeat a slot of the cluster.
-        const auto isPair = [&] {
-            int pairs = tile_side;
-            while (pairs > 0 && j[pairs - 1] - first < tile_side) --pairs;
-            return is_i & (lane_j < pairs);
-        };
-        std::uint32_t t = range.one_sided;
-        weighTile(is_i & (lane_j < filled) & (lane_i != lane_j));
-        j += tile_side;
-        for (++t; t < range.two_sided; ++t, j += tile_side)
-            weighTile(t + 1 == range.two_sided ? isPair() : is_i);
-        for (; t < end; ++t, j += tile_side) {
-            const ExactTile term[1] = {weighTile(t + 1 == end ? isPair() : is_i)};
-            addOverI<1, 1>(term, j, sums);
+                storeTile(g, weight);
+            const ExactTile term[1] = {ExactTile(w)};
+            sum[0] += term[0];
+            if (t >= range.two_sided) addOverI<1, 1>(term, j, sums);
         }
         addOverJ<1>(sum, sums + first);
     }
