@@ -125,7 +125,7 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     Vec<Dim> weight_ = Vec<Dim>::Zero();         // per volume
     Vec<Dim> mean_velocity_ = Vec<Dim>::Zero();  // in records it is taken off, which saves digits
     double interval_start_ = nan_value;
-    Surroundings<Dim> around_;
+    mutable Surroundings<Dim> around_;  // looks at walls anew for a load
 
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& velocity_;
@@ -182,6 +182,7 @@ void PressureRelaxation<Dim>::firstHalf(const Clock& clock) {
     this->actedAt(clock.time);
     const double dt = clock.dt;
     records_.follow(around_.own());
+    around_.look();
     if (loads_solids_) before_.resize(body_->held());
     if (clock.interval_start != interval_start_) {
         interval_start_ = clock.interval_start;
@@ -199,6 +200,7 @@ void PressureRelaxation<Dim>::secondHalf(const Clock& clock) {
     this->actedAt(clock.time);
     const double dt = clock.dt;
     last_dt_ = dt;
+    around_.look();
     withPrecision(around_.own().precision(), [&]<class Real>() {
         addSlipImpulses<Real>();
         withRiemann(riemann_, [&]<Riemann R>() { continuity<R, Real>(dt); });
@@ -372,6 +374,7 @@ Load<Dim> PressureRelaxation<Dim>::loadOn(const Body<Dim>& solid, const Neighbor
     const auto* wall = around_.wall(solid);
     if (!wall) return {};
     Load<Dim> load;
+    around_.look();
     withRiemann(riemann_, [&]<Riemann R>() { load = loadOn<R>(*wall, list, about); });
     return load;
 }

@@ -42,6 +42,10 @@ class Surroundings {
     /// The fluid's own particles. The fluid is known to see itself.
     const PairTiles<Dim>& own() const { return *own_; }
     const std::vector<Wall>& walls() const { return walls_; }
+    /// Before sums over walls that may have moved.
+    void look() {
+        for (Wall& wall : walls_) wall.fields.look(*wall.body);
+    }
     /// Slots of own(), ascending, of the particles that have neighbors in any of the walls.
     const std::vector<Index>& slotsAtWalls() {
         std::vector<std::uint64_t> builds{own_->builds()};

@@ -2,9 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/aligned.h"
 #include "dynamics/words.h"
 
+#include <algorithm>
+
 namespace sphinx::dynamics::fluid {
+
+/// What pair terms read of a particle of a wall, in one load.
+template <int Dim>
+struct alignas(32) WallFace {
+    static constexpr int stride = 4;
+
+    double n[Dim];  ///< normal
+    double V;       ///< volume
+};
 
 /// What a fluid sees of a solid. A solid that answers to forces (elastic, or of a mechanism) makes
 /// several steps in one of the fluid: its velocity is averaged over them (fsi.average_kinematics).
@@ -33,6 +45,9 @@ struct WallFields {
     const Field<double>* depth;
     const Field<double>* volume;
     const Field<Vec<Dim>>* slip;  ///< null: it makes no steps of its own
+    /// Of its particles as they stand (look()), and whether velocity and acceleration are zero.
+    AlignedVector<WallFace<Dim>> faces;
+    bool stands_still = false;
 
     explicit WallFields(Body<Dim>& solid)
         : responds(solid.responds()), along_line{solid.responds(), solid.isElastic()} {
@@ -44,6 +59,27 @@ struct WallFields {
         volume = &p.scalar(fields::volume);
         slip = responds ? &p.vector(fields::slip) : nullptr;
     }
+
+    /// Once the solid may have moved.
+    void look(const Body<Dim>& solid) {
+        if (version_ == solid.version) return;
+        version_ = solid.version;
+        const auto zero = [&](const Field<Vec<Dim>>* field) {
+            return !field || std::all_of(field->data(), field->data() + solid.held(),
+                                         [](const Vec<Dim>& v) { return v.isZero(0); });
+        };
+        // What answers to forces has its velocity averaged at other times than it moves.
+        stands_still = !responds && zero(velocity) && zero(acceleration);
+        faces.resize(solid.held());
+        for (std::size_t j = 0; j < faces.size(); ++j) {
+            faces[j] = {};
+            for (int c = 0; c < Dim; ++c) faces[j].n[c] = (*normal)[j][c];
+            faces[j].V = (*volume)[j];
+        }
+    }
+
+ private:
+    std::uint64_t version_ = ~std::uint64_t{0};
 };
 
 }  // namespace sphinx::dynamics::fluid

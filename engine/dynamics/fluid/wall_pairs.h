@@ -33,14 +33,27 @@ inline FluidSide<Dim, Lanes> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, doub
 }
 
 /// Direction along which a motion against the wall particles of eight pairs counts, whichever way
-/// it points: along the line of the pair, or along their normals.
+/// it points: along the line of the pair, or along their normals. Returns their volumes.
 template <int Dim>
-inline void gatherNormals(const WallFields<Dim>& fields, const Pairs<Dim>& pair, bool along_line,
-                          Lanes (&n)[Dim]) {
-    if (along_line)
-        for (int c = 0; c < Dim; ++c) n[c] = pair.gradient[c] * pair.inverse_dW;
-    else
-        gatherVectors<Dim>(fields.normal->data(), pair.index, n);
+inline Lanes gatherFaces(const WallFields<Dim>& fields, const Pairs<Dim>& pair, bool along_line,
+                         Lanes (&n)[Dim]) {
+    Lanes words[4];
+    gatherRecords<WallFace<Dim>::stride>(fields.faces.data()->n, pair.index, words);
+    for (int c = 0; c < Dim; ++c) n[c] = along_line ? pair.gradient[c] * pair.inverse_dW : words[c];
+    return words[Dim];
+}
+
+/// Velocities of the wall particles of eight pairs, and accelerations where they are seen.
+template <int Dim>
+inline void gatherMotion(const WallFields<Dim>& fields, const Pairs<Dim>& pair, bool accelerations,
+                         WallSide<Dim, Lanes>& wall) {
+    if (fields.stands_still) {
+        spread<Dim>(Vec<Dim>::Zero(), wall.v);
+        return;
+    }
+    gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
+    if (accelerations && fields.acceleration)
+        gatherVectors<Dim>(fields.acceleration->data(), pair.index, wall.a);
 }
 
 /// Adds sum_j 2 (v_i - v*_ij) . e_ij W' V_j over the wall particles j near the fluid
@@ -53,10 +66,9 @@ inline void addWallClosure(const WallFields<Dim>& fields, const NeighborList<Dim
     spread<Dim>(velocity, v);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallSide<Dim, Lanes> wall;
-        gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
-        gatherNormals(fields, pair, fields.along_line.density, wall.n);
-        sum.addProduct(units * wallClosingRate<Dim, Lanes>(v, wall, pair),
-                       gatherLanes(fields.volume->data(), pair.index));
+        gatherMotion(fields, pair, false, wall);
+        const Lanes V_j = gatherFaces(fields, pair, fields.along_line.density, wall.n);
+        sum.addProduct(units * wallClosingRate<Dim, Lanes>(v, wall, pair), V_j);
     });
 }
 
@@ -71,13 +83,11 @@ inline void addWallPressure(const WallFields<Dim>& fields, const NeighborList<Di
     Distances<Dim> distances(list, i);
     forEachPair(list, i, [&](const Pairs<Dim>& pair) {
         WallSide<Dim, Lanes> wall;
-        gatherVectors<Dim>(fields.velocity->data(), pair.index, wall.v);
-        if (fields.acceleration)
-            gatherVectors<Dim>(fields.acceleration->data(), pair.index, wall.a);
-        gatherNormals(fields, pair, fields.along_line.pressure, wall.n);
+        gatherMotion(fields, pair, true, wall);
+        const Lanes V_j = gatherFaces(fields, pair, fields.along_line.pressure, wall.n);
         const Lanes p2 =
             twiceWallPressure<R, Dim, Lanes>(constants, fluid, wall, pair, distances.next());
-        const Lanes f = p2 * (V * gatherLanes(fields.volume->data(), pair.index));
+        const Lanes f = p2 * (V * V_j);
         for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, pair.gradient[c]);
     });
 }
@@ -97,7 +107,7 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         spread<Dim>((*fields.velocity)[j], wall.v);
         if (fields.acceleration) spread<Dim>((*fields.acceleration)[j], wall.a);
         if (fields.along_line.pressure)
-            gatherNormals(fields, pair, fields.along_line.pressure, wall.n);
+            for (int c = 0; c < Dim; ++c) wall.n[c] = pair.gradient[c] * pair.inverse_dW;
         else
             spread<Dim>((*fields.normal)[j], wall.n);
         FluidSide<Dim, Lanes> fluid;
