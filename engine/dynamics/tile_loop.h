@@ -225,7 +225,8 @@ class TileSums {
             const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
             const auto i = detail::sideI<Dim>(words, own);
             ExactTile sum[N] = {};
-            const auto tile = [&](Tile(&on_j)[N]) {
+            const auto tile = [&](Tile(&on_j)[N]) __attribute__((always_inline)) {
+                __builtin_prefetch(weight + 16 * tile_size);  // weights are read once a sum
                 const auto other = detail::sideJ<Dim>(words, j);
                 TilePairs<Dim, Real> pairs;
                 for (int k = 0; k < Dim; ++k)
