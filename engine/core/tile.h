@@ -359,6 +359,24 @@ inline unsigned lessBits(FloatTile a, FloatTile b) {
     return bits;
 #endif
 }
+/// Whether any of flags[at[0]] to flags[at[count - 1]] is not 0. Reads three bytes beyond a flag.
+inline bool anyOf(const std::uint8_t* flags, const std::uint32_t* at, std::size_t count) {
+#if defined(__AVX512F__)
+    __m512i found = _mm512_setzero_si512();
+    for (std::size_t first = 0; first < count; first += tile_size) {
+        const std::size_t left = count - first;
+        const auto some = static_cast<__mmask16>(left < tile_size ? (1u << left) - 1 : 0xffffu);
+        found = _mm512_or_si512(found, _mm512_mask_i32gather_epi32(
+                                           _mm512_setzero_si512(), some,
+                                           _mm512_maskz_loadu_epi32(some, at + first), flags, 1));
+    }
+    return _mm512_test_epi32_mask(found, _mm512_set1_epi32(0xff)) != 0;
+#else
+    std::uint8_t found = 0;
+    for (std::size_t k = 0; k < count; ++k) found |= flags[at[k]];
+    return found != 0;
+#endif
+}
 /// Writes first + k for each of the sixteen bits k that is set, ascending. May write sixteen
 /// places.
 inline void writePlaces(unsigned bits, std::uint32_t first, std::uint32_t* out) {

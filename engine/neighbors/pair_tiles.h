@@ -105,24 +105,26 @@ class PairTiles {
     static ExactNumber* sumsOf(const Chunk& chunk, std::size_t stride, ExactNumber* sums) {
         return sums + stride * (chunk.sums_at - chunk.first_slot);
     }
-    /// f(first slot of the cluster, slots of the four j, pairs) for all tiles; pairs(): bit k is
-    /// set where lane k has a pair.
+    /// f(first slot of the cluster, slots of the j, how many, pairs) for all clusters; there are
+    /// four j for each tile; bit k of pairs(tile) is set where its lane k has a pair.
     template <class Function>
-    void forEachTile(Function&& f) const {
+    void forEachCluster(Function&& f) const {
         withPrecision(precision_, [&]<class Real>() {
             parallelFor(
                 chunks_.size(),
                 [&](std::size_t n) {
                     const Chunk& chunk = chunks_[n];
-                    const Real* weights = chunk.template weights<Real>().data();
-                    for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c)
-                        for (std::size_t t = chunk.ranges[c].one_sided;
-                             t < chunk.ranges[c + 1].one_sided; ++t)
-                            f(chunk.first_slot + static_cast<Index>(tile_side * c),
-                              chunk.j.data() + tile_side * t, [&] {
-                                  return lessBits(TileOf<Real>{},
-                                                  loadTile(weights + tile_size * t));
-                              });
+                    for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c) {
+                        const std::size_t begin = chunk.ranges[c].one_sided;
+                        const Real* weights =
+                            chunk.template weights<Real>().data() + tile_size * begin;
+                        f(chunk.first_slot + static_cast<Index>(tile_side * c),
+                          chunk.j.data() + tile_side * begin,
+                          tile_side * (chunk.ranges[c + 1].one_sided - begin),
+                          [&](std::size_t tile) {
+                              return lessBits(TileOf<Real>{}, loadTile(weights + tile_size * tile));
+                          });
+                    }
                 },
                 1);
         });

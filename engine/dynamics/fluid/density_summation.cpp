@@ -134,7 +134,7 @@ bool DensitySummation<Dim>::seesSolid(std::size_t i) const {
 /// Particles that lack support tell their neighbors.
 template <int Dim>
 void DensitySummation<Dim>::findInside() {
-    lacks_.resize(self_->slots());
+    lacks_.resize(self_->slots() + 3);  // anyOf() reads beyond the last
     cut_off_.assign(self_->slots(), 0);
     parallelFor(self_->slots(), [&](std::size_t s) {
         const Index i = self_->particle(static_cast<Index>(s));
@@ -143,24 +143,27 @@ void DensitySummation<Dim>::findInside() {
     const auto tell = [&](Index slot) {  // several threads may say the same
         std::atomic_ref(cut_off_[slot]).store(1, std::memory_order_relaxed);
     };
-    self_->forEachTile([&](Index first, const std::uint32_t* j, auto&& pairs) {
-        const std::uint8_t* i_lacks = lacks_.data() + first;
-        const std::uint8_t of_i = i_lacks[0] | i_lacks[1] | i_lacks[2] | i_lacks[3];
-        const std::uint8_t of_j = lacks_[j[0]] | lacks_[j[1]] | lacks_[j[2]] | lacks_[j[3]];
-        if ((of_i | of_j) == 0) return;
-        // Lane 4 i + j is the pair of i and j.
-        const unsigned all = pairs();
-        unsigned of_lacking_i = 0, of_lacking_j = 0;
-        for (int k = 0; k < tile_side; ++k) {
-            if (i_lacks[k] != 0) of_lacking_i |= 0xfu << (tile_side * k);
-            if (lacks_[j[k]] != 0) of_lacking_j |= 0x1111u << k;
-        }
-        for (int k = 0; k < tile_side; ++k) {
-            if ((all & of_lacking_i & (0x1111u << k)) != 0) tell(j[k]);
-            if ((all & of_lacking_j & (0xfu << (tile_side * k))) != 0)
-                tell(first + static_cast<Index>(k));
-        }
-    });
+    self_->forEachCluster(
+        [&](Index first, const std::uint32_t* j, std::size_t count, auto&& pairs) {
+            const std::uint8_t* i_lacks = lacks_.data() + first;
+            const bool any_i = (i_lacks[0] | i_lacks[1] | i_lacks[2] | i_lacks[3]) != 0;
+            if (!any_i && !anyOf(lacks_.data(), j, count)) return;
+            for (std::size_t tile = 0; tile_side * tile < count; ++tile, j += tile_side) {
+                // Lane 4 i + j is the pair of i and j.
+                unsigned of_lacking_i = 0, of_lacking_j = 0;
+                for (int k = 0; k < tile_side; ++k) {
+                    if (i_lacks[k] != 0) of_lacking_i |= 0xfu << (tile_side * k);
+                    if (lacks_[j[k]] != 0) of_lacking_j |= 0x1111u << k;
+                }
+                if ((of_lacking_i | of_lacking_j) == 0) continue;
+                const unsigned all = pairs(tile);
+                for (int k = 0; k < tile_side; ++k) {
+                    if ((all & of_lacking_i & (0x1111u << k)) != 0) tell(j[k]);
+                    if ((all & of_lacking_j & (0xfu << (tile_side * k))) != 0)
+                        tell(first + static_cast<Index>(k));
+                }
+            }
+        });
 }
 
 }  // namespace

@@ -99,6 +99,16 @@ TEST_CASE("roots and places of a tile") {
     CHECK(places[2] == 115);
     CHECK(lessBits(a, tile(1e-20f)) == 0x7);
 
+    std::uint8_t flags[40 + 3] = {};
+    flags[7] = 1;
+    std::uint32_t at[20];
+    for (std::uint32_t k = 0; k < 20; ++k) at[k] = 8 + k;
+    CHECK_FALSE(anyOf(flags, at, 20));
+    at[18] = 7;
+    CHECK(anyOf(flags, at, 20));
+    CHECK_FALSE(anyOf(flags, at, 18));
+    CHECK(anyOf(flags, at, 19));
+
     WholeTile whole = {};
     whole[3] = 7;
     whole[8] = -9;
