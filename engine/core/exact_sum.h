@@ -5,9 +5,6 @@
 #include "core/lanes.h"
 
 #include <utility>
-#if defined(__AVX512F__)
-#include <immintrin.h>
-#endif
 
 namespace sphinx {
 
@@ -37,12 +34,8 @@ class ExactSum {
 
     void add(Lanes term) { sum_ += (term + offset_) - offset_; }
     void addProduct(Lanes a, Lanes b) {
-#if defined(__AVX512F__)
-        sum_ = reinterpret_cast<Lanes>(_mm512_fmadd_pd(reinterpret_cast<__m512d>(a),
-                                                       reinterpret_cast<__m512d>(b),
-                                                       reinterpret_cast<__m512d>(sum_)));
-#elif defined(__FMA__) || defined(__ARM_FEATURE_FMA)
-        for (int k = 0; k < lane_count; ++k) sum_[k] = __builtin_fma(a[k], b[k], sum_[k]);
+#if defined(SPHINX_HAS_FUSED)
+        sum_ = fused(a, b, sum_);
 #else
         add(a * b);
 #endif

@@ -6,13 +6,9 @@
 
 // A tile holds the pairs of four particles i with four particles j as one vector of sixteen
 // numbers, floats or doubles: the pair of i and j stands in lane 4 i + j. All that needs to know
-// so, or the instruction set, is in this file.
+// so is in this file; what the processor has for it, in core/processor.h.
 namespace sphinx {
 
-inline constexpr int tile_side = 4;
-inline constexpr int tile_size = tile_side * tile_side;
-
-using WholeTile = std::int32_t __attribute__((vector_size(64)));
 /// Sixteen numbers of a precision, float or double.
 template <class Real>
 using TileOf = std::conditional_t<std::is_same_v<Real, float>, FloatTile, DoubleTile>;
@@ -34,31 +30,6 @@ inline void storeTile(const DoubleTile& a, double* p) {
     storeLanes(a.high, p + lane_count);
 }
 
-inline FloatTile toFloat(WholeTile a) {
-#if defined(__AVX512F__)
-    return reinterpret_cast<FloatTile>(
-        _mm512_maskz_cvtepi32_ps(0xffff, reinterpret_cast<__m512i>(a)));
-#else
-    return __builtin_convertvector(a, FloatTile);
-#endif
-}
-/// 1/sqrt(a) to the last two or three bits, for a from 1e-30 to 1e30.
-inline FloatTile inverseSqrtTile(FloatTile a) {
-#if defined(__AVX512F__)
-    const auto x =
-        reinterpret_cast<FloatTile>(_mm512_maskz_rsqrt14_ps(0xffff, reinterpret_cast<__m512>(a)));
-    const auto rest = reinterpret_cast<FloatTile>(
-        _mm512_fnmadd_ps(reinterpret_cast<__m512>(0.5f * a * x), reinterpret_cast<__m512>(x),
-                         reinterpret_cast<__m512>(tile(1.5f))));
-    return x * rest;
-#else
-    FloatTile r = a;
-#pragma omp simd
-    for (int k = 0; k < tile_size; ++k) r[k] = std::sqrt(a[k]);
-    return 1.0f / r;
-#endif
-}
-
 inline DoubleTile inverseSqrtTile(const DoubleTile& a) {
     return {inverseSqrtLanes(a.low), inverseSqrtLanes(a.high)};
 }
@@ -69,12 +40,7 @@ inline DoubleTile ofEachJ(DoubleQuad a) {
     return {half, half};
 }
 inline FloatTile ofEachJ(FloatQuad a) {
-#if defined(__AVX512F__)
-    return reinterpret_cast<FloatTile>(
-        _mm512_maskz_broadcast_f32x4(0xffff, reinterpret_cast<__m128>(a)));
-#else
     return __builtin_shufflevector(a, a, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
-#endif
 }
 /// a of each i in the lanes of its pairs.
 inline DoubleTile ofEachI(DoubleQuad a) {
@@ -82,13 +48,7 @@ inline DoubleTile ofEachI(DoubleQuad a) {
             __builtin_shufflevector(a, a, 2, 2, 2, 2, 3, 3, 3, 3)};
 }
 inline FloatTile ofEachI(FloatQuad a) {
-#if defined(__AVX512F__)
-    return reinterpret_cast<FloatTile>(_mm512_maskz_permutexvar_ps(
-        0xffff, _mm512_setr_epi32(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3),
-        _mm512_castps128_ps512(reinterpret_cast<__m128>(a))));
-#else
     return __builtin_shufflevector(a, a, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
-#endif
 }
 
 namespace detail {
@@ -119,41 +79,6 @@ template <int Words, class Real, int Size>
         out[first + 3] = __builtin_shufflevector(AB, CD, 2, 3, 6, 7);
     }
 }
-#if defined(__AVX512F__)
-/// The same of floats, word c in the lanes lane_of(i, j), which is 0 to 3 of the records.
-template <int Words, int Size, class LaneOf>
-[[gnu::always_inline]] inline void spreadWords(const float* records, const std::uint32_t* at,
-                                               FloatTile (&out)[Size], LaneOf lane_of) {
-    static_assert(Size == 4 || Size == 8);
-    const auto row = [&](int k) { return records + std::size_t{Size} * at[k]; };
-    const auto lanesOf = [&](int c) {
-        WholeTile from = {};
-        for (int i = 0; i < tile_side; ++i)
-            for (int j = 0; j < tile_side; ++j) from[tile_side * i + j] = Size * lane_of(i, j) + c;
-        return reinterpret_cast<__m512i>(from);
-    };
-    if constexpr (Size == 4) {
-        __m512 all = _mm512_castps128_ps512(_mm_loadu_ps(row(0)));
-        all = _mm512_maskz_insertf32x4(0xffff, all, _mm_loadu_ps(row(1)), 1);
-        all = _mm512_maskz_insertf32x4(0xffff, all, _mm_loadu_ps(row(2)), 2);
-        all = _mm512_maskz_insertf32x4(0xffff, all, _mm_loadu_ps(row(3)), 3);
-        for (int c = 0; c < Words; ++c)
-            out[c] =
-                reinterpret_cast<FloatTile>(_mm512_maskz_permutexvar_ps(0xffff, lanesOf(c), all));
-    } else {
-        const auto two = [&](int k) {
-            const __m512d first =
-                _mm512_castpd256_pd512(_mm256_loadu_pd(reinterpret_cast<const double*>(row(k))));
-            return _mm512_castpd_ps(_mm512_maskz_insertf64x4(
-                0xff, first, _mm256_loadu_pd(reinterpret_cast<const double*>(row(k + 1))), 1));
-        };
-        const __m512 a = two(0);
-        const __m512 b = two(2);
-        for (int c = 0; c < Words; ++c)
-            out[c] = reinterpret_cast<FloatTile>(_mm512_permutex2var_ps(a, lanesOf(c), b));
-    }
-}
-#endif
 }  // namespace detail
 
 /// Records of `Size` numbers of the four particles at[0] to at[3]: out[c] is word c, of the first
@@ -161,9 +86,9 @@ template <int Words, int Size, class LaneOf>
 template <int Words, class Real, int Size>
 [[gnu::always_inline]] inline void gatherOfEachJ(const Real* records, const std::uint32_t* at,
                                                  TileOf<Real> (&out)[Size]) {
-#if defined(__AVX512F__)
+#if defined(SPHINX_SPREADS_WORDS)
     if constexpr (std::is_same_v<Real, float>)
-        return detail::spreadWords<Words>(records, at, out, [](int, int j) { return j; });
+        return spreadWords<Words>(records, at, out, [](int, int j) { return j; });
 #endif
     QuadOf<Real> quads[Size];
     detail::transposeWords<Words>(records, at, quads);
@@ -172,9 +97,9 @@ template <int Words, class Real, int Size>
 template <int Words, class Real, int Size>
 [[gnu::always_inline]] inline void gatherOfEachI(const Real* records, const std::uint32_t* at,
                                                  TileOf<Real> (&out)[Size]) {
-#if defined(__AVX512F__)
+#if defined(SPHINX_SPREADS_WORDS)
     if constexpr (std::is_same_v<Real, float>)
-        return detail::spreadWords<Words>(records, at, out, [](int i, int) { return i; });
+        return spreadWords<Words>(records, at, out, [](int i, int) { return i; });
 #endif
     QuadOf<Real> quads[Size];
     detail::transposeWords<Words>(records, at, quads);
@@ -183,16 +108,10 @@ template <int Words, class Real, int Size>
 
 /// Sixteen numbers as two halves of doubles.
 inline Lanes lowLanes(WholeTile a) {
-    const auto h = __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7);
-#if defined(__AVX512F__)
-    return reinterpret_cast<Lanes>(_mm512_maskz_cvtepi32_pd(0xff, reinterpret_cast<__m256i>(h)));
-#else
-    return __builtin_convertvector(h, Lanes);
-#endif
+    return toLanes(__builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7));
 }
 inline Lanes highLanes(WholeTile a) {
-    return lowLanes(
-        __builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+    return toLanes(__builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15));
 }
 inline Lanes lowLanes(FloatTile a) {
     return toLanes(__builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7));
@@ -205,28 +124,6 @@ inline FloatTile joinFloats(Lanes low, Lanes high) {
                                    11, 12, 13, 14, 15);
 }
 
-/// Numbers of which sums are exact, whatever the order: whole numbers, which are doubles where the
-/// processor has no fast conversion to integers. Sums stay below 2^51; beyond they are as good as
-/// plain ones there, but depend on the order.
-#if defined(__AVX512DQ__)
-using ExactNumber = std::int64_t;
-#else
-using ExactNumber = double;
-#endif
-using ExactLanes = ExactNumber __attribute__((vector_size(64)));
-using ExactQuad = ExactNumber __attribute__((vector_size(32)));
-
-/// Rounded to whole numbers.
-inline ExactLanes toExact(Lanes a) {
-#if defined(__AVX512DQ__)
-    return reinterpret_cast<ExactLanes>(
-        _mm512_maskz_cvtpd_epi64(0xff, reinterpret_cast<__m512d>(a)));
-#else
-    constexpr double shift = 0x1.8p52;  // beside it a double has no fraction
-    return (a + shift) - shift;
-#endif
-}
-
 /// The terms of sixteen pairs, or sums of such.
 struct ExactTile {
     ExactLanes low = {};   // of the first two i
@@ -235,19 +132,9 @@ struct ExactTile {
     ExactTile() = default;
     ExactTile(Lanes a, Lanes b) : low(toExact(a)), high(toExact(b)) {}
     explicit ExactTile(const DoubleTile& a) : ExactTile(a.low, a.high) {}
-    explicit ExactTile(FloatTile a) {
-        const FloatLanes l = __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7);
-        const FloatLanes h = __builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15);
-#if defined(__AVX512DQ__)
-        low = reinterpret_cast<ExactLanes>(
-            _mm512_maskz_cvtps_epi64(0xff, reinterpret_cast<__m256>(l)));
-        high = reinterpret_cast<ExactLanes>(
-            _mm512_maskz_cvtps_epi64(0xff, reinterpret_cast<__m256>(h)));
-#else
-        low = toExact(toLanes(l));
-        high = toExact(toLanes(h));
-#endif
-    }
+    explicit ExactTile(FloatTile a)
+        : low(toExact(__builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7))),
+          high(toExact(__builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15))) {}
     void operator+=(const ExactTile& b) {
         low += b.low;
         high += b.high;
@@ -348,47 +235,6 @@ template <int N, int Sign>
 /// Bit k is set where a[k] < b[k].
 inline unsigned lessBits(const DoubleTile& a, const DoubleTile& b) {
     return lessBits(a.low, b.low) | lessBits(a.high, b.high) << lane_count;
-}
-inline unsigned lessBits(FloatTile a, FloatTile b) {
-#if defined(__AVX512F__)
-    return _mm512_cmp_ps_mask(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b), _CMP_LT_OQ);
-#else
-    const WholeTile less = a < b;
-    unsigned bits = 0;
-    for (int k = 0; k < tile_size; ++k) bits |= less[k] ? 1u << k : 0u;
-    return bits;
-#endif
-}
-/// Whether any of flags[at[0]] to flags[at[count - 1]] is not 0. Reads three bytes beyond a flag.
-inline bool anyOf(const std::uint8_t* flags, const std::uint32_t* at, std::size_t count) {
-#if defined(__AVX512F__)
-    __m512i found = _mm512_setzero_si512();
-    for (std::size_t first = 0; first < count; first += tile_size) {
-        const std::size_t left = count - first;
-        const auto some = static_cast<__mmask16>(left < tile_size ? (1u << left) - 1 : 0xffffu);
-        found = _mm512_or_si512(found, _mm512_mask_i32gather_epi32(
-                                           _mm512_setzero_si512(), some,
-                                           _mm512_maskz_loadu_epi32(some, at + first), flags, 1));
-    }
-    return _mm512_test_epi32_mask(found, _mm512_set1_epi32(0xff)) != 0;
-#else
-    std::uint8_t found = 0;
-    for (std::size_t k = 0; k < count; ++k) found |= flags[at[k]];
-    return found != 0;
-#endif
-}
-/// Writes first + k for each of the sixteen bits k that is set, ascending. May write sixteen
-/// places.
-inline void writePlaces(unsigned bits, std::uint32_t first, std::uint32_t* out) {
-#if defined(__AVX512F__)
-    const __m512i places =
-        _mm512_add_epi32(_mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15),
-                         _mm512_set1_epi32(static_cast<int>(first)));
-    _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), places));
-#else
-    for (; bits != 0; bits &= bits - 1)
-        *out++ = first + static_cast<std::uint32_t>(__builtin_ctz(bits));
-#endif
 }
 
 }  // namespace sphinx

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/gather.h"
 #include "core/lanes.h"
 #include "dynamics/pair.h"
 #include "dynamics/words.h"

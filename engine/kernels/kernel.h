@@ -14,8 +14,8 @@ const char* kernelName(KernelType type);
 
 /// A smoothing kernel W(r, h) = sigma/h^Dim w(q), q = r/h, with compact support r < rc = reach * h.
 /// `w` is the shape and dwOverQ its derivative by q, divided by q: what a gradient is made of, for
-/// a difference of positions. T is a number or a vector of them; sigma makes the integral over
-/// space 1.
+/// a difference of positions; whoever has 1/q at hand gives it. T is a number or a vector of them;
+/// sigma makes the integral over space 1.
 ///
 /// Wendland C2: w = (1 - q/2)^4 (2q + 1), reach 2; Wendland 1995, doi:10.1007/BF02123482, in the
 /// scaling of Dehnen & Aly 2012, doi:10.1111/j.1365-2966.2012.21439.x.
@@ -35,6 +35,10 @@ struct WendlandC2 {
         const T a = 1.0 - 0.5 * q;
         return -5.0 * a * a * a;
     }
+    template <class T>
+    static T dwOverQ(T q, T) {
+        return dwOverQ(q);
+    }
 };
 
 /// Cubic spline (M4), reach 2; Monaghan & Lattanzio 1985, A&A 149, 135.
@@ -51,11 +55,15 @@ struct CubicSpline {
         return q < 1.0 ? outer - b * b * b : outer;
     }
     template <class T>
-    static T dwOverQ(T q) {
+    static T dwOverQ(T q, T per_q) {
         const T a = 2.0 - q;
         const T inner = 2.25 * q - 3.0;
-        const T outer = -0.75 * a * a / q;
+        const T outer = -0.75 * a * a * per_q;
         return q < 1.0 ? inner : outer;
+    }
+    template <class T>
+    static T dwOverQ(T q) {
+        return dwOverQ<T>(q, 1.0 / q);
     }
 };
 
@@ -83,13 +91,16 @@ struct QuinticSpline {
         return power4(a) * a - 6.0 * power4(b) * b + 15.0 * power4(c) * c;
     }
     template <class T>
-    static T dwOverQ(T q) {
+    static T dwOverQ(T q, T per_q) {
         const T a = positive<T>(3.0 - q);
         const T b = positive<T>(2.0 - q);
-        const T c = positive<T>(1.0 - q);
-        const T at_zero = 0.0 * q - 120.0;
-        const T slope = (30.0 * power4(b) - 5.0 * power4(a) - 75.0 * power4(c)) / q;
-        return q > 0.0 ? slope : at_zero;
+        const T inner = q * q * (120.0 - 50.0 * q) - 120.0;  // of all three powers
+        const T outer = (30.0 * power4(b) - 5.0 * power4(a)) * per_q;
+        return q < 1.0 ? inner : outer;
+    }
+    template <class T>
+    static T dwOverQ(T q) {
+        return dwOverQ<T>(q, 1.0 / q);
     }
 };
 

@@ -253,9 +253,10 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
                 x *= 1.5 - 0.5 * r2 * x * x;
                 if (std::is_same_v<Real, double>) x *= 1.5 - 0.5 * r2 * x * x;
                 const Lanes q = q_per_place * (r2 * x);
+                const Lanes per_q = (1 / q_per_place) * x;
                 const LaneMask inside = r2 < reach2;
                 w = inside ? kernel_scale * K::w(q) : Lanes{};
-                g = inside ? factor * K::dwOverQ(q) : Lanes{};
+                g = inside ? factor * K::dwOverQ(q, per_q) : Lanes{};
             };
             evaluate(r2.low, lowLanes(per_r), w.low, g.low);
             evaluate(r2.high, highLanes(per_r), w.high, g.high);

@@ -217,12 +217,11 @@ void PressureRelaxation<Dim>::predict(double dt) {
     const double per_pressure = 1 / (rho0 * constants_.c0 * constants_.c0);
     const double per_cell = 1 / cell_;
     const auto all = [&](auto&& pressure) {
-        records_.template fill<Real>(around_.own(), [&, density = density_.data(), rate = density_rate_.data(),
-                                      slack = slack_.data(), mass = mass_.data(),
-                                      pressure_of = pressure_.data(), volume = volume_.data(),
-                                      position = position_.data(), velocity = velocity_.data(), mean = mean_velocity_](
-                                         TileRecord<Dim, Real>& record, Index i)
-                                         __attribute__((always_inline)) {
+        const auto write = [
+            =, density = density_.data(), rate = density_rate_.data(), slack = slack_.data(),
+            mass = mass_.data(), pressure_of = pressure_.data(), volume = volume_.data(),
+            position = position_.data(), velocity = velocity_.data(), mean = mean_velocity_
+        ](TileRecord<Dim, Real> & record, Index i) __attribute__((always_inline)) {
             const double rho = density[i] + half * rate[i];
             const double dense = slack[i] > 0 ? std::max(rho, rho0) : rho;
             const double p = pressure(dense);
@@ -232,10 +231,12 @@ void PressureRelaxation<Dim>::predict(double dt) {
             volume[i] = V;
             const Vec<Dim> v = velocity[i];
             position[i] += half * v;
-            for (int c = 0; c < Dim; ++c) record.v[c] = static_cast<Real>(per_c0 * (v[c] - mean[c]));
+            for (int c = 0; c < Dim; ++c)
+                record.v[c] = static_cast<Real>(per_c0 * (v[c] - mean[c]));
             record.p = static_cast<Real>(per_pressure * p);
             record.V = static_cast<Real>(per_cell * V);
-        });
+        };
+        records_.template fill<Real>(around_.own(), write);
         if (!loads_solids_) return;
         parallelFor(body_->size(), [&](std::size_t i) {
             PairState<Dim>& state = before_[i];
