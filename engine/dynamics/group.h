@@ -30,11 +30,14 @@ inline Group groupOf(std::size_t number, std::size_t n) {
 /// Groups that a reduction takes in one block.
 inline constexpr std::size_t group_block = 1024 / lane_count;
 
-/// body(Group) for all groups of n particles.
+/// body(Group) for all groups of n particles. All that it calls and that is known here is inlined: a
+/// matrix of Wide is as large as the registers, and each call would write it to memory and read it
+/// back, one in the midst of a loop over neighbors as often as there are neighbors.
 template <class Body>
 void parallelForGroups(std::size_t n, Body&& body) {
     parallelFor(
-        groupCount(n), [&](std::size_t number) { body(groupOf(number, n)); },
+        groupCount(n),
+        [&](std::size_t number) __attribute__((flatten)) { body(groupOf(number, n)); },
         default_grain / lane_count);
 }
 

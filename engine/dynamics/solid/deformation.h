@@ -49,7 +49,7 @@ class Deformation {
     void secondHalf(double dt);
     /// sum_j (T_i + T_j) g_ij = div P at the particles of a group, force/volume; guide (31) in the
     /// form that is conjugate to (29). With hourglass control, its force as well.
-    VecOf<Dim, Wide> stressDivergence(const Group& group) const;
+    [[gnu::flatten]] VecOf<Dim, Wide> stressDivergence(const Group& group) const;
 
  private:
     struct Neighbors {
