@@ -30,11 +30,14 @@ inline Group groupOf(std::size_t number, std::size_t n) {
 /// Groups that a reduction takes in one block.
 inline constexpr std::size_t group_block = 1024 / lane_count;
 
-/// body(Group) for all groups of n particles.
+/// body(Group) for all groups of n particles. All that it calls and that is known here is inlined:
+/// a matrix of Wide is as large as the registers, and each call would write it to memory and read
+/// it back, one in the midst of a loop over neighbors as often as there are neighbors.
 template <class Body>
 void parallelForGroups(std::size_t n, Body&& body) {
     parallelFor(
-        groupCount(n), [&](std::size_t number) { body(groupOf(number, n)); },
+        groupCount(n),
+        [&](std::size_t number) __attribute__((flatten)) { body(groupOf(number, n)); },
         default_grain / lane_count);
 }
 
@@ -101,12 +104,57 @@ template <int Rows, int Columns>
 }
 template <int Rows, int Columns>
 [[gnu::always_inline]] inline void store(const Eigen::Matrix<Wide, Rows, Columns>& value,
-                                         Field<Eigen::Matrix<double, Rows, Columns>>& field,
+                                         Eigen::Matrix<double, Rows, Columns>* values,
                                          const Group& group) {
     constexpr int size = Rows * Columns;
     Lanes a[size];
     for (int c = 0; c < size; ++c) a[c] = value.data()[c].at;
-    detail::store<size>(a, field.data()->data(), group);
+    detail::store<size>(a, values->data(), group);
+}
+template <int Rows, int Columns>
+[[gnu::always_inline]] inline void store(const Eigen::Matrix<Wide, Rows, Columns>& value,
+                                         Field<Eigen::Matrix<double, Rows, Columns>>& field,
+                                         const Group& group) {
+    store(value, field.data(), group);
+}
+
+// What is done to every number alike needs no transposed records.
+
+/// sum += factor a
+template <int Rows, int Columns>
+[[gnu::always_inline]] inline void addProduct(double factor,
+                                              const Field<Eigen::Matrix<double, Rows, Columns>>& a,
+                                              Field<Eigen::Matrix<double, Rows, Columns>>& sum,
+                                              const Group& group) {
+    constexpr std::size_t size = Rows * Columns;
+    const double* p = a.data()->data() + size * group.first;
+    double* s = sum.data()->data() + size * group.first;
+    if (group.count == lane_count) [[likely]] {
+        for (std::size_t k = 0; k < size * lane_count; k += lane_count)
+            storeLanes(loadLanes(s + k) + factor * loadLanes(p + k), s + k);
+        return;
+    }
+    for (std::size_t k = 0; k < size * group.count; ++k) s[k] += factor * p[k];
+}
+
+/// Whether all values of the group are 0.
+template <int Rows, int Columns>
+[[gnu::always_inline]] inline bool isZero(const Field<Eigen::Matrix<double, Rows, Columns>>& field,
+                                          const Group& group) {
+    constexpr std::size_t size = Rows * Columns;
+    const double* p = field.data()->data() + size * group.first;
+    if (group.count == lane_count) [[likely]] {
+        LaneMask differs{};
+        for (std::size_t k = 0; k < size * lane_count; k += lane_count)
+            differs |= loadLanes(p + k) != 0;
+        return maskBits(differs) == 0;
+    }
+    return std::all_of(p, p + size * group.count, [](double value) { return value == 0; });
+}
+template <int Rows, int Columns>
+inline void setZero(Field<Eigen::Matrix<double, Rows, Columns>>& field, const Group& group) {
+    constexpr std::size_t size = Rows * Columns;
+    std::fill_n(field.data()->data() + size * group.first, size * group.count, 0.0);
 }
 
 }  // namespace sphinx::dynamics

@@ -46,8 +46,8 @@ class Radiation {
     /// Where it acts: what the answer adds to the acceleration of particles whose velocity is v
     /// after the kick without it.
     VecOf<Dim, Wide> answer(const Group& group, const VecOf<Dim, Wide>& v) const {
+        if (isZero(*impedance_, group)) return VecOf<Dim, Wide>::Zero();
         const MatOf<Dim, Wide> Z = load(*impedance_, group);
-        if (maskBits(Z.trace() > 0) == 0) return VecOf<Dim, Wide>::Zero();
         const MatOf<Dim, Wide> inertia =
             load(mass_, group) * MatOf<Dim, Wide>::Identity() + dt_ * Z;
         return inertia.inverse() * (Z * (load(*seen_, group) - v));
@@ -56,8 +56,8 @@ class Radiation {
     void addSlip() {
         if (!acts()) return;
         parallelForGroups(velocity_.size(), [&](const Group& group) {
+            if (isZero(*impedance_, group)) return;
             const Wide answered = load(*impedance_, group).trace();
-            if (maskBits(answered > 0) == 0) return;
             const VecOf<Dim, Wide> passed = dt_ * (load(velocity_, group) - load(*seen_, group));
             VecOf<Dim, Wide> slip = load(*slip_, group);
             for (int c = 0; c < Dim; ++c) slip[c] += select(answered > 0, passed[c], 0);
@@ -72,22 +72,34 @@ class Radiation {
     /// Gives the velocity of a particle the values that are imposed on some of its components.
     /// Returns the force that does it, which has no others.
     Vec<Dim> impose(std::size_t i, const std::array<bool, Dim>& imposed, const Vec<Dim>& value) {
-        if (acts(i)) return imposeAgainst(i, imposed, value);
         Vec<Dim>& v = velocity_[i];
-        const double inertia = mass_[i] / dt_;
-        Vec<Dim> force;
+        Vec<Dim> change = Vec<Dim>::Zero();
+        bool all = true;
         for (int c = 0; c < Dim; ++c) {
-            const double now = imposed[static_cast<std::size_t>(c)] ? value[c] : v[c];
-            force[c] = inertia * (now - v[c]);
-            v[c] = now;
+            if (imposed[static_cast<std::size_t>(c)]) {
+                change[c] = value[c] - v[c];
+                v[c] = value[c];
+            } else {
+                all = false;
+            }
         }
+        const Vec<Dim> force = mass_[i] / dt_ * change;
+        if (!acts(i)) return force;
+        return all ? Vec<Dim>(force + (*impedance_)[i] * change) : pushed(i, imposed, change);
+    }
+    /// The same for eight of them, of which all components become 0.
+    VecOf<Dim, Wide> stop(const Group& group) {
+        const VecOf<Dim, Wide> change = -load(velocity_, group);
+        VecOf<Dim, Wide> force = load(mass_, group) / dt_ * change;
+        if (acts() && !isZero(*impedance_, group)) force += load(*impedance_, group) * change;
+        setZero(velocity_, group);
         return force;
     }
 
  private:
-    /// Where it acts.
-    Vec<Dim> imposeAgainst(std::size_t i, const std::array<bool, Dim>& imposed,
-                           const Vec<Dim>& value);
+    /// Where it acts and some components are free: changes these by what comes with the change of
+    /// the imposed ones. Returns the force.
+    Vec<Dim> pushed(std::size_t i, const std::array<bool, Dim>& imposed, const Vec<Dim>& change);
     bool acts(std::size_t i) const { return acts() && (*impedance_)[i].trace() > 0; }
     Mat<Dim> inertia(std::size_t i) const {
         return mass_[i] * Mat<Dim>::Identity() + dt_ * (*impedance_)[i];
@@ -104,21 +116,11 @@ class Radiation {
 };
 
 template <int Dim>
-Vec<Dim> Radiation<Dim>::imposeAgainst(std::size_t i, const std::array<bool, Dim>& imposed,
-                                       const Vec<Dim>& value) {
+Vec<Dim> Radiation<Dim>::pushed(std::size_t i, const std::array<bool, Dim>& imposed,
+                                const Vec<Dim>& change) {
     Vec<Dim>& v = velocity_[i];
-    Vec<Dim> change = Vec<Dim>::Zero();
-    int count = 0;
-    for (int c = 0; c < Dim; ++c)
-        if (imposed[static_cast<std::size_t>(c)]) {
-            change[c] = value[c] - v[c];
-            v[c] = value[c];
-            ++count;
-        }
-    const Mat<Dim> inertia = this->inertia(i);
-    if (count == Dim) return inertia * change / dt_;
     // Rows of a free component say that it gets no force.
-    const Mat<Dim> inverse = inertia.inverse();
+    const Mat<Dim> inverse = inertia(i).inverse();
     Mat<Dim> rows = Mat<Dim>::Identity();
     for (int c = 0; c < Dim; ++c)
         if (imposed[static_cast<std::size_t>(c)]) rows.row(c) = dt_ * inverse.row(c);

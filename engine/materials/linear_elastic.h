@@ -65,8 +65,10 @@ class LinearElastic final : public ElasticSolid {
     /// m.Q.m = (a N):c:(a N) + N.S.N with a = F^T m.
     template <int Dim, class Number = double>
     Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& fibres) const {
-        return linearTangentBound<Dim, Number>(longitudinal_modulus_, C,
-                                               stress<Dim, Number>(C, fibres));
+        const MatOf<Dim, Number> S = stress<Dim, Number>(C, fibres);
+        return linearTangentBound<Number>(longitudinal_modulus_,
+                                          largestEigenvalueBound<Dim, Number>(C),
+                                          largestEigenvalueBound<Dim, Number>(S));
     }
 
  private:

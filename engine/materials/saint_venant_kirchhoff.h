@@ -24,11 +24,14 @@ class SaintVenantKirchhoff final : public IsotropicSolid {
         const Mat<Dim> E = greenStrain<Dim>(C);
         return lambda() / 2 * E.trace() * E.trace() + mu() * E.squaredNorm();
     }
-    /// m.Q.m = (lambda + mu)(a.N)^2 + mu |a|^2 + N.S.N with a = F^T m.
+    /// m.Q.m = (lambda + mu)(a.N)^2 + mu |a|^2 + N.S.N with a = F^T m. The deviator of S is mu
+    /// times that of C = I + 2E, its mean (lambda + 2 mu/Dim) tr E.
     template <int Dim, class Number = double>
-    Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>& fibres) const {
-        return linearTangentBound<Dim, Number>(lambda() + 2 * mu(), C,
-                                               stress<Dim, Number>(C, fibres));
+    Number tangentModulus(const MatOf<Dim, Number>& C, const Fibres<Dim, Number>&) const {
+        const EigenvalueBound<Number> of_C = eigenvalueBound<Dim, Number>(C);
+        const Number trace = greenStrain<Dim, Number>(C).trace();
+        return linearTangentBound<Number>(lambda() + 2 * mu(), of_C.largest(),
+                                          (lambda() + 2 * mu() / Dim) * trace + mu() * of_C.above);
     }
 };
 

@@ -78,22 +78,32 @@ struct VolumeChange {
 /// Upper bound of the largest eigenvalue of a symmetric matrix, from its trace and the norm of its
 /// deviator: exact in 2D, and in 3D where the two smaller ones are equal (Wolkowicz & Styan 1980,
 /// doi:10.1016/0024-3795(80)90258-X).
+template <class Number = double>
+struct EigenvalueBound {
+    Number mean;
+    Number above;  ///< of the largest above the mean; goes with the deviator
+
+    Number largest() const { return mean + above; }
+};
 template <int Dim, class Number = double>
-inline Number largestEigenvalueBound(const MatOf<Dim, Number>& a) {
+inline EigenvalueBound<Number> eigenvalueBound(const MatOf<Dim, Number>& a) {
     using std::sqrt;
     const Number mean = a.trace() / Dim;
     const Number deviator = (a - mean * MatOf<Dim, Number>::Identity()).squaredNorm();
-    return mean + sqrt(deviator * (Dim - 1) / Dim);
+    return {mean, sqrt(deviator * (Dim - 1) / Dim)};
+}
+template <int Dim, class Number = double>
+inline Number largestEigenvalueBound(const MatOf<Dim, Number>& a) {
+    return eigenvalueBound<Dim, Number>(a).largest();
 }
 
-/// Bound of the tangent modulus of a law that is linear in E, which gives the stress S at C:
-/// longitudinal |a|^2 + N.S.N with a = F^T m, |a|^2 at most the largest eigenvalue of C. Pressure.
-template <int Dim, class Number>
-inline Number linearTangentBound(double longitudinal, const MatOf<Dim, Number>& C,
-                                 const MatOf<Dim, Number>& S) {
+/// Bound of the tangent modulus of a law that is linear in E, longitudinal |a|^2 + N.S.N with
+/// a = F^T m: |a|^2 is at most the largest eigenvalue of C, and N.S.N that of the stress S at C.
+/// Pressure.
+template <class Number>
+inline Number linearTangentBound(double longitudinal, Number largest_of_C, Number largest_of_S) {
     using std::max;
-    const Number pull = largestEigenvalueBound<Dim, Number>(S);
-    return longitudinal * largestEigenvalueBound<Dim, Number>(C) + max(Number(0), pull);
+    return longitudinal * largest_of_C + max(Number(0), largest_of_S);
 }
 
 }  // namespace sphinx::materials

@@ -5,7 +5,9 @@
 #include "dynamics/part_method.h"
 #include "dynamics/radiation.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 
 namespace sphinx::dynamics::constraint {
 namespace {
@@ -28,12 +30,13 @@ void declareFix(input::Registry& registry) {
             std::array<bool, Dim> fixed;
             fixed.fill(p.directions.empty());
             for (const int axis : p.directions) fixed[static_cast<std::size_t>(axis)] = true;
-            return [&velocity, fixed, radiation = Radiation<Dim>(whole.body().particles)](
+            const bool all = std::ranges::all_of(fixed, std::identity());
+            return [&velocity, fixed, all, radiation = Radiation<Dim>(whole.body().particles)](
                        const Clock& clock, KnownLoad<Dim>& load) mutable {
                 const Part<Dim>& part = load.part();
                 AlignedVector<Vec<Dim>>& force = load.forces();
                 radiation.begin(clock.dt);
-                parallelFor(part.size(), [&](std::size_t n) {
+                const auto fix = [&](std::size_t n) {
                     const std::size_t i = part[n];
                     if (!clock.is_start) {
                         force[n] = radiation.impose(i, fixed, Vec<Dim>::Zero());
@@ -42,6 +45,13 @@ void declareFix(input::Registry& registry) {
                     force[n].setZero();
                     for (int c = 0; c < Dim; ++c)
                         if (fixed[static_cast<std::size_t>(c)]) velocity[i][c] = 0;
+                };
+                parallelForGroups(part.size(), [&](const Group& group) {
+                    const std::size_t end = group.first + group.count;
+                    const Group row{part[group.first], group.count};
+                    if (all && !clock.is_start && part[end - 1] == row.first + row.count - 1)
+                        return store(radiation.stop(row), force.data(), group);
+                    for (std::size_t n = group.first; n < end; ++n) fix(n);
                 });
             };
         });

@@ -43,7 +43,7 @@ double largestStep(Body<Dim>& body, double cfl, const Field<Vec<Dim>>& velocity,
         const std::vector<double>& shares = body.elastic().shares;
         return reduceAll(
             groupCount(n), Largest{},
-            [&](std::size_t begin, std::size_t end) {
+            [&](std::size_t begin, std::size_t end) __attribute__((flatten)) {
                 Wide modulus = 0, speed2 = 0, acceleration2 = 0;
                 for (std::size_t number = begin; number < end; ++number) {
                     const Group group = groupOf(number, n);

@@ -62,9 +62,12 @@ Deformation<Dim>::Deformation(Context<Dim>& context, Body<Dim>& body, bool hourg
       stress_(body.particles.matrix(fields::corrected_stress)) {
     for (Body<Dim>* other : body.piece()) {
         ParticleSet<Dim>& p = other->particles;
-        neighbors_.push_back({&context.relations.reference(body, *other), &p.position(),
-                              &p.vector(fields::initial_position), &p.vector(fields::velocity),
-                              &p.matrix(fields::corrected_stress)});
+        neighbors_.push_back({&context.relations.reference(body, *other),
+                              &p.position(),
+                              &p.vector(fields::initial_position),
+                              &p.vector(fields::velocity),
+                              &p.matrix(fields::corrected_stress),
+                              {}});
     }
 }
 
@@ -76,6 +79,23 @@ void Deformation<Dim>::announce() {
 template <int Dim>
 void Deformation<Dim>::prepare() {
     for (const Neighbors& n : neighbors_) context_->relations.build(*n.relation);
+}
+
+template <int Dim>
+void Deformation<Dim>::prepareSums() {
+    prepare();
+    bool changed = false;
+    for (Neighbors& n : neighbors_) changed |= n.watch.hasChanged(n.relation->to->particles);
+    if (!changed) return;
+    const std::size_t particles = body_->size();
+    still_.begin(particles);
+    for (const Neighbors& n : neighbors_) {
+        const auto& list = n.relation->list;
+        if (n.relation->to == body_)
+            still_.setNeighbors(list, particles);
+        else
+            still_.excludeNeighborsOf(list);
+    }
 }
 
 template <int Dim>
@@ -130,9 +150,8 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
     stress_planes_.resize(body_->size());
     parallelForGroups(body_->size(), [&](const Group& group) {
         using Matrix = MatOf<Dim, Wide>;
-        const Matrix rate = load(rate_, group);
-        const Matrix F = load(gradient_, group) + half * rate;
-        store(F, gradient_, group);
+        addProduct(half, rate_, gradient_, group);
+        const Matrix F = load(gradient_, group);
         const Wide J = determinant(F);
         const Matrix C = materials::rightCauchyGreen<Dim, Wide>(F);
         const unsigned sound = maskBits((J > 0) & law.template admissible<Dim, Wide>(C));
@@ -143,7 +162,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
         }
         Matrix S = law.template stress<Dim, Wide>(C, fibres[group]);
         if (eta > 0) {
-            const Matrix FtR = F.transpose() * rate;
+            const Matrix FtR = F.transpose() * load(rate_, group);
             S += (0.5 * eta) * (FtR + FtR.transpose());
         }
         // The control's - c k_ij (F_i + F_j) R_ij has the form of a stress, k_ij R_ij = -g_ij.
@@ -157,6 +176,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
             for (Wide& t : T.reshaped()) t = select(material, share * t, 0);
             density = select(material, density, load(density_, group));
         }
+        still_.look(velocity_, position_, T, stress_planes_, group);
         store(T, stress_, group);
         stress_planes_.store(T, group);
         store(density, density_, group);
@@ -185,7 +205,7 @@ void Deformation<Dim>::stress(const Law& law, const Clock& clock, bool damping) 
 
 template <int Dim>
 void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
-    prepare();
+    prepareSums();
     materials::withLaw(*solid_, [&](const auto& law) { stress(law, clock, damping); });
     for (const ContactStress<Dim>* contact : context_->contact_stresses) {
         if (contact->body != body_) continue;
@@ -193,24 +213,29 @@ void Deformation<Dim>::firstHalf(const Clock& clock, bool damping) {
             const Index i = contact->particles[n];
             stress_[i] += contact->stress[n] * correction_[i].transpose();
             stress_planes_.set(i, stress_[i]);
+            still_.change(i / lane_count);
         }
     }
 }
 
 template <int Dim>
 void Deformation<Dim>::secondHalf(double dt) {
+    prepareSums();
     const double half = 0.5 * dt;
     parallelForGroups(body_->size(), [&](const Group& group) {
+        if (still_.rests(velocity_, group)) {
+            if (!isZero(rate_, group)) setZero(rate_, group);
+            return;
+        }
         const MatOf<Dim, Wide> rate =
             difference(group, velocity_, &Neighbors::velocity) * load(correction_, group);
         store(rate, rate_, group);
-        const MatOf<Dim, Wide> F = load(gradient_, group) + half * rate;
-        store(F, gradient_, group);
+        addProduct(half, rate_, gradient_, group);
     });
 }
 
 template <int Dim>
-VecOf<Dim, Wide> Deformation<Dim>::stressDivergence(const Group& group) const {
+VecOf<Dim, Wide> Deformation<Dim>::sumOfStresses(const Group& group) const {
     VecOf<Dim, Wide> sum = VecOf<Dim, Wide>::Zero();
     const MatOf<Dim, Wide> T = load(stress_, group);
     const VecOf<Dim, Wide> r = load(position_, group);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/clock.h"
+#include "dynamics/arrangement_watch.h"
 #include "dynamics/context.h"
 #include "dynamics/group.h"
 #include "dynamics/solid/reference_loop.h"
+#include "dynamics/solid/still_groups.h"
 #include "materials/elastic_solid.h"
 
 #include <vector>
@@ -48,8 +50,11 @@ class Deformation {
     /// dF/dt = (-sum_j v_ij (x) g_ij) B_i, then F += dt/2 dF/dt.
     void secondHalf(double dt);
     /// sum_j (T_i + T_j) g_ij = div P at the particles of a group, force/volume; guide (31) in the
-    /// form that is conjugate to (29). With hourglass control, its force as well.
-    VecOf<Dim, Wide> stressDivergence(const Group& group) const;
+    /// form that is conjugate to (29). With hourglass control, its force as well. Once for each
+    /// group after firstHalf().
+    VecOf<Dim, Wide> stressDivergence(const Group& group) {
+        return still_.sumOf(group, [&] { return sumOfStresses(group); });
+    }
 
  private:
     struct Neighbors {
@@ -58,11 +63,15 @@ class Deformation {
         const Field<Vec<Dim>>* initial_position;
         const Field<Vec<Dim>>* velocity;
         const Field<Mat<Dim>>* stress;
+        ArrangementWatch watch;  // of the particles that the list names
     };
     using NeighborField = const Field<Vec<Dim>>* Neighbors::*;
     /// -sum_j (a_i - a_j) (x) g_ij
     MatOf<Dim, Wide> difference(const Group& group, const Field<Vec<Dim>>& own,
                                 NeighborField values) const;
+    [[gnu::flatten]] VecOf<Dim, Wide> sumOfStresses(const Group& group) const;
+    /// Before both halves.
+    void prepareSums();
     template <class Law>
     void stress(const Law& law, const Clock& clock, bool damping);
     [[noreturn]] void fail(std::size_t i, const std::string& what, const Clock& clock) const;
@@ -82,6 +91,7 @@ class Deformation {
     Field<Mat<Dim>>& rate_;
     Field<Mat<Dim>>& stress_;
     Planes<Dim> stress_planes_;  // the same
+    StillGroups<Dim> still_;
 };
 
 }  // namespace sphinx::dynamics::solid

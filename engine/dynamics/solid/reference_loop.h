@@ -95,14 +95,17 @@ inline VecOf<Dim, Wide> forceSum(const ReferenceList<Dim>& list, const Group& gr
                                  const Field<Vec<Dim>>& places) {
     VecOf<Dim, Wide> force = VecOf<Dim, Wide>::Zero();
     VecOf<Dim, Wide> pull = VecOf<Dim, Wide>::Zero();
+    const auto add = [&](const auto& neighbors, const PairsOfBlock<Dim>& pairs) {
+        const MatOf<Dim, Wide> T = stress(neighbors) + own_stress;
+        const VecOf<Dim, Wide> g = pairs.gradient();
+        for (int c = 0; c < Dim; ++c) force += g[c] * T.col(c);
+    };
     if (control == 0) {
-        forEachBlock<Dim>(list, group, [&](const auto& neighbors, const PairsOfBlock<Dim>& pairs) {
-            force += (stress(neighbors) + own_stress) * pairs.gradient();
-        });
+        forEachBlock<Dim>(list, group, add);
         return force;
     }
     forEachBlock<Dim>(list, group, [&](const auto& neighbors, const PairsOfBlock<Dim>& pairs) {
-        force += (stress(neighbors) + own_stress) * pairs.gradient();
+        add(neighbors, pairs);
         pull += pairs.weight() * (load(places, neighbors) - own_place);
     });
     return force + control * pull;
@@ -119,6 +122,14 @@ class Planes {
     void store(const MatOf<Dim, Wide>& value, const Group& group) {
         for (std::size_t c = 0; c < planes_.size(); ++c)
             storeLanes(value.data()[c].at, planes_[c].data() + group.first);
+    }
+    /// Whether these are the values of the group, to the last bit.
+    bool holds(const MatOf<Dim, Wide>& value, const Group& group) const {
+        LaneMask differs{};
+        for (std::size_t c = 0; c < planes_.size(); ++c)
+            differs |= reinterpret_cast<LaneMask>(value.data()[c].at) ^
+                       reinterpret_cast<LaneMask>(loadLanes(planes_[c].data() + group.first));
+        return maskBits(differs != 0) == 0;
     }
     void set(std::size_t i, const Mat<Dim>& value) {
         for (std::size_t c = 0; c < planes_.size(); ++c) planes_[c][i] = value.data()[c];

@@ -41,6 +41,9 @@ class StressRelaxation final : public Method {
     void secondHalf(const Clock& clock);
 
  private:
+    /// Positions by half a step.
+    void drift(double dt);
+
     Body<Dim>* body_;
     Deformation<Dim> deformation_;
     bool damping_;
@@ -67,9 +70,17 @@ StressRelaxation<Dim>::StressRelaxation(Context<Dim>& context, const StressRelax
       volume_(body_->particles.scalar(fields::volume)) {}
 
 template <int Dim>
+void StressRelaxation<Dim>::drift(double dt) {
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        addProduct(0.5 * dt, velocity_, position_, group);
+    });
+    ++body_->version;
+}
+
+template <int Dim>
 void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
     const double dt = clock.dt;
-    parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
+    drift(dt);
     deformation_.firstHalf(clock, damping_);
     radiation_.begin(dt);
     parallelForGroups(body_->size(), [&](const Group& group) {
@@ -77,7 +88,8 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
         Vector force = load(volume_, group) * deformation_.stressDivergence(group) +
                        load(outer_.pressure, group) + load(outer_.viscous, group);
         if (outer_.contact) force += load(*outer_.contact, group);
-        Vector a = force / load(mass_, group) + load(outer_.external, group);
+        const Wide by_mass = 1 / load(mass_, group);
+        Vector a = by_mass * force + load(outer_.external, group);
         Vector v = load(velocity_, group) + dt * a;
         if (radiation_.acts()) {
             const Vector answer = radiation_.answer(group, v);
@@ -87,7 +99,6 @@ void StressRelaxation<Dim>::firstHalf(const Clock& clock) {
         store(a, acceleration_, group);
         store(v, velocity_, group);
     });
-    ++body_->version;
 }
 
 template <int Dim>
@@ -96,8 +107,7 @@ void StressRelaxation<Dim>::secondHalf(const Clock& clock) {
     radiation_.begin(dt);
     radiation_.addSlip();
     deformation_.secondHalf(dt);
-    parallelFor(body_->size(), [&](std::size_t i) { position_[i] += 0.5 * dt * velocity_[i]; });
-    ++body_->version;
+    drift(dt);
 }
 
 /// Of two bodies that are bonded one moves, the other hands its stress on.

@@ -21,7 +21,7 @@ LayerRun::LayerRun(const Layer& layer, double start_time) : LayerRun(layer, star
 }
 
 LayerRun::LayerRun(const Layer& layer, double start_time, LayerRun* parent)
-    : layer_(layer), parent_(parent) {
+    : layer_(layer), parent_(parent), laps_(parent ? parent->laps_ : own_laps_) {
     clock_.time = start_time;
     estimate_tallies_.resize(layer.dt.size());
     for (const Step& step : layer.steps) {
@@ -77,6 +77,12 @@ void LayerRun::sample() {
     }
     for (LayerRun* layer = this; layer; layer = layer->parent_)
         layer->tally_.nanoseconds -= cost.nanoseconds;
+    laps_.begin();
+}
+
+void LayerRun::count(std::int64_t began) {
+    ++tally_.calls;
+    tally_.nanoseconds += laps_.last() - began;
 }
 
 void LayerRun::fail(const std::string& message) const {
@@ -89,11 +95,8 @@ double LayerRun::estimate() {
     for (std::size_t k = 0; k < layer_.dt.size(); ++k) {
         const TimeStep& step = layer_.dt[k];
         Tally& tally = estimate_tallies_[k];
-        double dt = 0;
-        {
-            const TimedCall timed(tally);
-            dt = step.method->estimate();
-        }
+        const double dt = step.method->estimate();
+        laps_.end(tally);
         tally.particles += static_cast<double>(step.method->workSize());
         if (!(std::isfinite(dt) && dt > 0))
             fail(fmt::format("{} gives a time step of {}", step.label, dt));
@@ -103,23 +106,26 @@ double LayerRun::estimate() {
 }
 
 void LayerRun::stepFreely() {
-    const TimedCall timed(tally_);
+    laps_.begin();
+    const std::int64_t began = laps_.last();
     const double dt = estimate();
     if (!(clock_.time + dt > clock_.time))
         fail(fmt::format("a time step of {} is too small to advance the time", dt));
     clock_.interval_start = clock_.time;
     substep(dt, clock_.time + dt);
+    count(began);
 }
 
 double LayerRun::cover(double from, double until) {
     clock_.time = clock_.interval_start = from;
     do {
         if (watch_) watch_();
-        const TimedCall timed(tally_);
+        const std::int64_t began = laps_.last();
         const Substep next = fitSubstep(layer_.fit, clock_.time, until, estimate());
         if (!(next.end > clock_.time))
             fail(fmt::format("a time step of {} is too small to advance the time", next.dt));
         substep(next.dt, next.end);
+        count(began);
     } while (!reached(clock_.time, layer_.fit == Fit::overshoot ? clock_.dt : 0, until));
     return clock_.time;
 }
@@ -166,10 +172,8 @@ void LayerRun::run(CallRun& line) {
     // Asked in any case: multiples that pass outside of the window are past.
     const bool is_due = due(line);
     if (!is_due || !line.call->window.holds(begin_)) return;
-    {
-        const TimedCall timed(line.tally);
-        line.call->act(clock_);
-    }
+    line.call->act(clock_);
+    laps_.end(line.tally);
     line.tally.particles += static_cast<double>(line.call->method->workSize());
     if (line.call->window.until) line.to_rest = true;
 }

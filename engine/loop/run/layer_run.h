@@ -64,6 +64,8 @@ class LayerRun {
     void connectTriggers(LayerRun& outermost);
     bool isInside(const LayerRun* other) const;
     double estimate();
+    /// Counts a substep that began at that lap.
+    void count(std::int64_t began);
     /// Substeps from `from` up to `until`; returns the time that was covered.
     double cover(double from, double until);
     void substep(double dt, double end);
@@ -83,6 +85,8 @@ class LayerRun {
     std::vector<std::function<void(const Clock&)>> samplers_;
     std::function<void()> watch_;
     Tally tally_;  // calls are substeps
+    Laps own_laps_;
+    Laps& laps_;  // those of the outermost layer: one line at a time acts
 };
 
 /// Time of a layer at the begin or end of the substep under way or just done, with the allowance

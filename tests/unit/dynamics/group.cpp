@@ -80,3 +80,28 @@ TEST_CASE("numbers of a group are those of its particles") {
         for (std::size_t i = 0; i < n; ++i) CHECK(to[i] == 3 * from[i]);
     }
 }
+
+TEST_CASE("what is done to all numbers of a group reaches its particles alone") {
+    const std::size_t n = 2 * lane_count + 3;
+    for (std::size_t number = 0; number < groupCount(n); ++number) {
+        const Group group = groupOf(number, n);
+        const auto isIn = [&](std::size_t i) {
+            return i >= group.first && i < group.first + group.count;
+        };
+        const Field<Mat<2>> a = countingField<Mat<2>>(n);
+        Field<Mat<2>> sum = countingField<Mat<2>>(n);
+        addProduct(0.5, a, sum, group);
+        for (std::size_t i = 0; i < n; ++i) CHECK(sum[i] == (isIn(i) ? Mat<2>(1.5 * a[i]) : a[i]));
+
+        Field<Mat<2>> zero = countingField<Mat<2>>(n);
+        setZero(zero, group);
+        CHECK(isZero(zero, group));
+        for (std::size_t i = 0; i < n; ++i) CHECK(zero[i].isZero(0) == isIn(i));
+        for (std::size_t k = 0; k < group.count; ++k) {
+            zero[group.first + k](0, 1) = 1e-300;
+            CHECK_FALSE(isZero(zero, group));
+            zero[group.first + k](0, 1) = -0.0;
+            CHECK(isZero(zero, group));
+        }
+    }
+}
