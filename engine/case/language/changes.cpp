@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <string_view>
 
 namespace sphinx::language {
 namespace {
@@ -70,6 +71,12 @@ std::vector<input::Place> fluidsWithoutRatio(const model::Case& model) {
     return withoutRatio(model, bodies::Role::fluid);
 }
 
+/// Whether the case gives the parameter.
+bool states(const input::Component& method, std::string_view parameter) {
+    return std::ranges::any_of(method.parameter_places,
+                               [&](const auto& given) { return given.first == parameter; });
+}
+
 /// Time steps of fluids with the quintic spline whose factor is the default.
 std::vector<input::Place> stepsOfQuinticSpline(const model::Case& model) {
     std::vector<input::Place> places;
@@ -77,10 +84,18 @@ std::vector<input::Place> stepsOfQuinticSpline(const model::Case& model) {
     for (const input::Component& method : model.dynamics) {
         const std::string& type = method.declaration->name();
         if (type != "fluid.acoustic_time_step" && type != "fluid.advection_time_step") continue;
-        if (std::ranges::none_of(method.parameter_places,
-                                 [](const auto& given) { return given.first == "cfl"; }))
-            places.push_back(method.place);
+        if (!states(method, "cfl")) places.push_back(method.place);
     }
+    return places;
+}
+
+/// Acoustic time steps in 2D whose factor is the default.
+std::vector<input::Place> acousticStepsIn2D(const model::Case& model) {
+    std::vector<input::Place> places;
+    if (model.dimension != 2) return places;
+    for (const input::Component& method : model.dynamics)
+        if (method.declaration->name() == "fluid.acoustic_time_step" && !states(method, "cfl"))
+            places.push_back(method.place);
     return places;
 }
 
@@ -121,7 +136,11 @@ std::span<const LanguageChange> languageChanges() {
          "the kernel of fluids is quintic_spline with a smoothing_ratio of 1 where neither is "
          "stated, not wendland_c2 with 1.3, and the default ratio of wendland_c2 is 1.5"},
         {2, true, stepsOfQuinticSpline,
-         "the default cfl of fluids with quintic_spline is 0.78 and 0.325, not 0.6 and 0.25"},
+         "the default cfl of fluids with quintic_spline is 0.78 (2D: 0.88) and 0.325, not 0.6 and "
+         "0.25"},
+        {2, true, acousticStepsIn2D,
+         "the default cfl of the acoustic step in 2D is larger than in 3D: 0.69, with "
+         "quintic_spline 0.88"},
         {2, true, sumsWithFreeSurface,
          "a fluid with a free surface bears no tension at walls and where it has no support, and "
          "inside its density by summation is corrected in both directions, little at a time"},
