@@ -228,13 +228,11 @@ void declareLoop(Registry& registry) {
                                      *p.from, units.suffix(unit::time));
         });
     }
-    const auto fit = choice<loop::Fit>(
-        {{"split", loop::Fit::split,
-          "equal substeps, none above the estimate; an outermost step of estimated size is "
-          "cut to a whole number of them where that takes less work"},
-         {"clip", loop::Fit::clip, "estimates, the last one cut"},
-         {"overshoot", loop::Fit::overshoot,
-          "estimates; the parent's step becomes what was covered"}});
+    const auto fit =
+        choice<loop::Fit>({{"split", loop::Fit::split, "equal substeps, none above the estimate"},
+                           {"clip", loop::Fit::clip, "estimates, the last one cut"},
+                           {"overshoot", loop::Fit::overshoot,
+                            "estimates; the parent's step becomes what was covered"}});
     {
         using P = model::Layer;
         auto& d = registry.declare<P>(Kind::block, "layer");

@@ -29,10 +29,4 @@ inline bool reached(double time, double dt, double target) {
 /// `until` > time; `estimate` > 0. Callers check that `end` is above `time`.
 Substep fitSubstep(Fit fit, double time, double until, double estimate);
 
-/// A step of the outermost layer that `split` covers with substeps of at most `estimate` > 0:
-/// `limit`, or a whole number of substeps next below it where that takes noticeably less work per
-/// time. A split of `limit` itself makes ceil(limit / estimate) of them, each shorter than it could
-/// be: 10 to 15 % too many with four or five.
-double economicStep(double limit, double estimate);
-
 }  // namespace sphinx::loop

@@ -14,25 +14,10 @@
 
 namespace sphinx::loop {
 
-namespace {
-
-/// Whether `line` changes a field that `reader` reads.
-bool changesWhatIsRead(const loop::Line& line, const loop::Line& reader) {
-    return std::ranges::any_of(reader.accesses, [&](const dynamics::FieldAccess& read) {
-        return std::ranges::any_of(line.accesses, [&](const dynamics::FieldAccess& write) {
-            return dynamics::changes(write.mode) && write.body == read.body &&
-                   write.field == read.field;
-        });
-    });
-}
-
-}  // namespace
-
 double triggerTime(double time, double dt) { return time + rounding_part * dt; }
 
 LayerRun::LayerRun(const Layer& layer, double start_time) : LayerRun(layer, start_time, nullptr) {
     connectTriggers(*this);
-    foreseen_ = findForeseen();
 }
 
 LayerRun::LayerRun(const Layer& layer, double start_time, LayerRun* parent)
@@ -80,25 +65,6 @@ LayerRun* LayerRun::find(std::string_view name) {
     return nullptr;
 }
 
-LayerRun* LayerRun::findForeseen() {
-    if (layer_.fixed_dt) return nullptr;
-    LayerRun* inside = nullptr;
-    for (Line& line : lines_) {
-        auto* inner = std::get_if<std::unique_ptr<LayerRun>>(&line);
-        if (!inner) continue;
-        if (inside || (*inner)->layer_.fit != Fit::split) return nullptr;
-        inside = inner->get();
-    }
-    if (!inside) return nullptr;
-    for (const Step& step : layer_.steps) {
-        const auto* call = std::get_if<Call>(&step.value);
-        if (!call) break;
-        for (const TimeStep& dt : inside->layer_.dt)
-            if (changesWhatIsRead(*call, dt)) return nullptr;
-    }
-    return inside;
-}
-
 void LayerRun::sampleSubsteps(std::function<void(const Clock&)> sampler) {
     samplers_.push_back(std::move(sampler));
 }
@@ -139,18 +105,10 @@ double LayerRun::estimate() {
     return smallest;
 }
 
-double LayerRun::foresee() {
-    const std::int64_t began = laps_.last();
-    known_estimate_ = estimate();
-    tally_.nanoseconds += laps_.last() - began;  // but no substep
-    return *known_estimate_;
-}
-
 void LayerRun::stepFreely() {
     laps_.begin();
     const std::int64_t began = laps_.last();
-    double dt = estimate();
-    if (foreseen_) dt = economicStep(dt, foreseen_->foresee());
+    const double dt = estimate();
     if (!(clock_.time + dt > clock_.time))
         fail(fmt::format("a time step of {} is too small to advance the time", dt));
     clock_.interval_start = clock_.time;
@@ -163,9 +121,7 @@ double LayerRun::cover(double from, double until) {
     do {
         if (watch_) watch_();
         const std::int64_t began = laps_.last();
-        const double largest = known_estimate_ ? *known_estimate_ : estimate();
-        known_estimate_.reset();
-        const Substep next = fitSubstep(layer_.fit, clock_.time, until, largest);
+        const Substep next = fitSubstep(layer_.fit, clock_.time, until, estimate());
         if (!(next.end > clock_.time))
             fail(fmt::format("a time step of {} is too small to advance the time", next.dt));
         substep(next.dt, next.end);

@@ -34,9 +34,8 @@ class LayerRun {
     LayerRun(const LayerRun&) = delete;
     LayerRun& operator=(const LayerRun&) = delete;
 
-    /// One step of the outermost layer: a stated size unchanged; an estimate may be shortened to a
-    /// whole number of substeps of the layer inside, see economicStep. Throws PhysicsError for a
-    /// step that is not a positive number or too small to advance the time.
+    /// One step of the outermost layer: the estimate unchanged. Throws PhysicsError for a step
+    /// that is not a positive number or too small to advance the time.
     void stepFreely();
 
     const Layer& layer() const { return layer_; }
@@ -67,11 +66,6 @@ class LayerRun {
     double estimate();
     /// Counts a substep that began at that lap.
     void count(std::int64_t began);
-    /// The one layer directly inside, if it splits this one's step and its first estimate can be
-    /// known when this step begins: no line before it changes what the estimate reads.
-    LayerRun* findForeseen();
-    /// The estimate of the first substep, before the outermost step begins.
-    double foresee();
     /// Substeps from `from` up to `until`; returns the time that was covered.
     double cover(double from, double until);
     void substep(double dt, double end);
@@ -92,9 +86,7 @@ class LayerRun {
     std::function<void()> watch_;
     Tally tally_;  // calls are substeps
     Laps own_laps_;
-    Laps& laps_;                            // those of the outermost layer: one line at a time acts
-    LayerRun* foreseen_ = nullptr;          // of the outermost layer
-    std::optional<double> known_estimate_;  // of the first substep, when that was foreseen
+    Laps& laps_;  // those of the outermost layer: one line at a time acts
 };
 
 /// Time of a layer at the begin or end of the substep under way or just done, with the allowance

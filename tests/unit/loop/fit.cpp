@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <vector>
 
 using namespace sphinx::loop;
@@ -70,49 +69,4 @@ TEST_CASE("overshoot takes the estimate to the end") {
     REQUIRE(steps.size() == 3);
     CHECK(steps.back().dt == 0.375);
     CHECK(steps.back().end == 1.125);
-}
-
-namespace {
-
-/// Work per time of an outermost step that costs two substeps besides those that cover it.
-double workPerTime(double step, double estimate) {
-    return (2 + static_cast<double>(cover(Fit::split, 0, step, estimate).size())) / step;
-}
-
-}  // namespace
-
-TEST_CASE("an economic step is no longer than its limit, and shorter where that saves work") {
-    const double estimate = 0.1;
-    int shortened = 0;
-    for (double limit = 0.03; limit < 3; limit *= 1.017) {
-        const double step = economicStep(limit, estimate);
-        REQUIRE(step <= limit);
-        REQUIRE(step > 0.75 * limit);
-        const double work = workPerTime(limit, estimate);
-        const bool shorter = step < 0.997 * limit;  // not only by the reserve
-        if (shorter) REQUIRE(workPerTime(step, estimate) < 0.97 * work);
-        for (int n = 1; n * estimate <= limit; ++n)
-            REQUIRE(0.966 * std::min(work, workPerTime(step, estimate)) <
-                    workPerTime(n * estimate, estimate));
-        shortened += shorter;
-    }
-    CHECK(shortened > 50);
-}
-
-TEST_CASE("an economic step by numbers") {
-    CHECK(economicStep(0.05, 0.1) == 0.05);
-    CHECK(economicStep(0.42, 0.1) == Approx(0.4).epsilon(0.003));
-    CHECK(economicStep(0.458, 0.1) == 0.458);  // 7 / 4.58, hardly more than 6 / 4
-    CHECK(economicStep(0.475, 0.1) == 0.475);  // 7 / 4.75 < 6 / 4
-    CHECK(economicStep(0.12, 0.1) == Approx(0.1).epsilon(0.003));
-    CHECK(economicStep(0.14, 0.1) == 0.14);  // 4 / 1.4 < 3 / 1
-}
-
-TEST_CASE("an estimate that sinks a little asks for no substep more") {
-    const double step = economicStep(0.44, 0.1);
-    double time = 0;
-    int steps = 0;
-    for (double estimate = 0.1; time < step; estimate *= 0.9995, ++steps)
-        time = fitSubstep(Fit::split, time, step, estimate).end;
-    CHECK(steps == 4);
 }

@@ -115,50 +115,6 @@ TEST_CASE("nested layers end at their parent's time, bitwise") {
     }
 }
 
-namespace {
-
-using Accesses = std::vector<dynamics::FieldAccess>;
-const dynamics::FieldAccess read_velocity{input::AccessMode::read, "water", "velocity"};
-
-/// Size and substeps of an outermost step of at most 0.44, with substeps of at most 0.1 by an
-/// estimate that reads the velocity; a line with `accesses` stands before them.
-std::pair<double, std::int64_t> stepWithin(Accesses accesses, Fit fit = Fit::split,
-                                           std::optional<double> stated = {}) {
-    Journal journal;
-    Recorder before("before", journal);
-    int estimates = 0;
-    Estimate limit([] { return 0.44; }), size([&] { return ++estimates, 0.1; });
-    Call line = acting("before", before);
-    line.accesses = std::move(accesses);
-    TimeStep inner_dt{{"size"}, &size};
-    inner_dt.accesses = {read_velocity};
-    const Layer inner{"inner", {inner_dt}, {}, fit, {}};
-    const Layer outer{"outer", {{{"limit"}, &limit}}, stated, Fit::split, {{line}, {inner}}};
-    LayerRun run(outer, 0);
-    run.stepFreely();
-    CHECK(estimates == run.find("inner")->clock().steps);  // foreseen or not, one for each
-    CHECK(run.find("inner")->clock().time == run.clock().time);
-    CHECK((journal.size() == 1 && journal[0].dt == run.clock().dt));
-    return {run.clock().dt, run.find("inner")->clock().steps};
-}
-
-}  // namespace
-
-TEST_CASE("an estimated outermost step becomes a whole number of the substeps inside") {
-    const auto [dt, substeps] = stepWithin({{input::AccessMode::write, "water", "density"},
-                                            {input::AccessMode::write, "wall", "velocity"}});
-    CHECK(dt == Approx(0.4).epsilon(0.003));
-    CHECK(substeps == 4);
-}
-
-TEST_CASE("an outermost step is left as it is where substeps cannot be foreseen, or it is stated") {
-    using Step = std::pair<double, std::int64_t>;
-    for (const input::AccessMode mode : {input::AccessMode::write, input::AccessMode::accumulate})
-        CHECK(stepWithin({{mode, "water", "velocity"}}) == Step{0.44, 5});
-    CHECK(stepWithin({}, Fit::clip) == Step{0.44, 5});
-    CHECK(stepWithin({}, Fit::split, 0.42) == Step{0.42, 5});
-}
-
 TEST_CASE("overshoot: the parent's interval becomes what was covered") {
     Journal journal;
     Recorder act("act", journal), after("after", journal);
