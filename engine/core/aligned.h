@@ -35,4 +35,15 @@ struct AlignedAllocator {
 template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 
+/// Makes it n long, of which nothing is kept. Room is asked for once, with a little to spare: a
+/// vector that grows by itself takes twice as much, and leaves holes in memory.
+template <class T>
+void makeRoom(AlignedVector<T>& vector, std::size_t n) {
+    if (vector.capacity() < n) {
+        vector = {};
+        vector.reserve(n + n / 16);
+    }
+    vector.resize(n);
+}
+
 }  // namespace sphinx

@@ -50,7 +50,7 @@ class TileRecords {
         builds_ = tiles.builds();
         withPrecision(tiles.precision(), [&]<class Real>() {
             auto& records = of<Real>();
-            records.resize(tiles.slots());
+            makeRoom(records, tiles.slots());
             parallelFor(records.size(), [&](std::size_t s) {
                 records[s] = {};
                 const auto& place = tiles.place(static_cast<Index>(s));
@@ -173,7 +173,7 @@ class TileSums {
  public:
     template <Reaction reaction, class Real, class Term>
     void add(const PairTiles<Dim>& tiles, const TileRecords<Dim>& records, Term&& term) {
-        sums_.resize(sum_stride<N> * tiles.sumCount());
+        makeRoom(sums_, sum_stride<N> * tiles.sumCount());
         const Real* words = records.template words<Real>();
         parallelFor(
             tiles.chunks().size(),

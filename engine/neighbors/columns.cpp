@@ -99,6 +99,7 @@ void Columns<Dim>::build(const Vec<Dim>* points, std::size_t n, const Box<Dim>& 
             for (auto& x : x_) x[slots_] = far_away;
         }
     };
+    reserve(n + n / 8);
     std::size_t b = 0;
     for (std::size_t column = 0; column < columns; ++column) {
         for (int in_column = 0; in_column < counts_[0]; ++in_column, ++b) {

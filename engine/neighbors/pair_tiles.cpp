@@ -54,12 +54,12 @@ void PairTiles<Dim>::build(const Vec<Dim>* position, std::size_t n,
     makeCopies(position, n, bounds, domain, spacing, cutoff);
 
     const double per_unit = 1 / place_unit_;
-    places_.resize(columns_.slots() + copy_columns_.slots());
+    makeRoom(places_, columns_.slots() + copy_columns_.slots());
     parallelFor(columns_.slots(), [&](std::size_t s) {
         const Index i = columns_.point(static_cast<Index>(s));
         places_[s] = i == none ? Place{} : placeOf<Dim>(position[i], per_unit);
     });
-    originals_.resize(copy_columns_.slots());
+    makeRoom(originals_, copy_columns_.slots());
     if (!copies_.empty()) {
         AlignedVector<Index> slot_of(n);
         for (Index s = 0; s < columns_.slots(); ++s)
@@ -83,7 +83,7 @@ void PairTiles<Dim>::build(const Vec<Dim>* position, std::size_t n,
         chunk.sums_at = sum_count_;
         sum_count_ += chunk.reach_end - chunk.first_slot;
     }
-    sums_.resize(sum_count_);
+    makeRoom(sums_, sum_count_);
     kernels::withKernel<Dim>(kernel.type(), [&]<class K>() {
         withPrecision(precision_, [&]<class Real>() {
             parallelFor(
@@ -159,6 +159,9 @@ void PairTiles<Dim>::divide() {
 template <int Dim>
 void PairTiles<Dim>::findTiles(Chunk& chunk, float reach) const {
     chunk.ranges.clear();
+    // More than most lists need; memory that nothing is written to costs nothing.
+    const std::size_t room = (chunk.end_slot - chunk.first_slot) * std::size_t{Dim == 2 ? 8 : 32};
+    if (chunk.j.size() < room) makeRoom(chunk.j, room);
     Index count = 0;
     Index farthest = chunk.end_slot;
     const auto fillUp = [&](Index first_slot) {
@@ -200,7 +203,7 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
     ExactNumber* sums = sumsOf(chunk, 1, all_sums);
     std::fill(sums + chunk.first_slot, sums + chunk.reach_end, ExactNumber{});
     AlignedVector<Real>& weights = chunk.template weights<Real>();
-    weights.resize(chunk.ranges.back().one_sided * std::size_t{tile_size});
+    makeRoom(weights, chunk.ranges.back().one_sided * std::size_t{tile_size});
     const auto* words = reinterpret_cast<const float*>(places_.data());
     constexpr WholeTile lane_i = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
     constexpr WholeTile lane_j = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
