@@ -34,7 +34,6 @@ struct DoubleTile {
     double operator[](int k) const { return k < lane_count ? low[k] : high[k - lane_count]; }
     DoubleTile operator-() const { return {-low, -high}; }
     DoubleTile& operator+=(const DoubleTile& b) { return *this = *this + b; }
-    DoubleTile& operator*=(const DoubleTile& b) { return *this = *this * b; }
     friend DoubleTile operator+(const DoubleTile& a, const DoubleTile& b) {
         return {a.low + b.low, a.high + b.high};
     }
@@ -94,17 +93,10 @@ inline Lanes gatherStrided(const double* base, const Index* index) {
     return Lanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
 }
 
-/// The first four doubles of records of `Stride` doubles, of eight particles, transposed:
-/// out[c][k] = base[Stride * index[k] + c]. Loads and shuffles beat hardware gathers. (A call that
-/// is not inlined writes all registers of the loop around it to memory.)
-template <int Stride, class Index>
-[[gnu::always_inline]] inline void gatherRecords(const double* base, const Index* index,
-                                                 Lanes out[4]) {
-    const auto row = [&](int k) {
-        HalfLanes a;
-        std::memcpy(&a, base + std::size_t{Stride} * index[k], sizeof a);
-        return a;
-    };
+namespace detail {
+/// The rows row(0) to row(7), transposed: out[c][k] is number c of row k.
+template <int Numbers, class Row>
+[[gnu::always_inline]] inline void transposeRows(Row&& row, Lanes out[Numbers]) {
     const auto join = [](HalfLanes a, HalfLanes b) {
         return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
     };
@@ -119,7 +111,22 @@ template <int Stride, class Index>
     out[0] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
     out[1] = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
     out[2] = __builtin_shufflevector(c, d, 0, 1, 2, 3, 8, 9, 10, 11);
-    out[3] = __builtin_shufflevector(c, d, 4, 5, 6, 7, 12, 13, 14, 15);
+    if constexpr (Numbers == 4) out[3] = __builtin_shufflevector(c, d, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+}  // namespace detail
+
+/// The first four doubles of records of `Stride` doubles, of eight particles, transposed:
+/// out[c][k] = base[Stride * index[k] + c]. Loads and shuffles beat hardware gathers. (A call that
+/// is not inlined writes all registers of the loop around it to memory.)
+template <int Stride, class Index>
+[[gnu::always_inline]] inline void gatherRecords(const double* base, const Index* index,
+                                                 Lanes out[4]) {
+    const auto row = [&](int k) {
+        HalfLanes a;
+        std::memcpy(&a, base + std::size_t{Stride} * index[k], sizeof a);
+        return a;
+    };
+    detail::transposeRows<4>(row, out);
 }
 
 /// Records of two doubles, in the same way.
@@ -147,20 +154,7 @@ template <int Stride, class Index>
 [[gnu::always_inline]] inline void gatherTriples(const double* base, const std::uint32_t* index,
                                                  Lanes out[3]) {
     const auto row = [&](int k) { return loadThree(base + std::size_t{3} * index[k]); };
-    const auto join = [](HalfLanes a, HalfLanes b) {
-        return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
-    };
-    const Lanes c01 = join(row(0), row(1));
-    const Lanes c23 = join(row(2), row(3));
-    const Lanes c45 = join(row(4), row(5));
-    const Lanes c67 = join(row(6), row(7));
-    const Lanes a = __builtin_shufflevector(c01, c23, 0, 4, 8, 12, 1, 5, 9, 13);
-    const Lanes b = __builtin_shufflevector(c45, c67, 0, 4, 8, 12, 1, 5, 9, 13);
-    const Lanes c = __builtin_shufflevector(c01, c23, 2, 6, 10, 14, 3, 7, 11, 15);
-    const Lanes d = __builtin_shufflevector(c45, c67, 2, 6, 10, 14, 3, 7, 11, 15);
-    out[0] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
-    out[1] = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
-    out[2] = __builtin_shufflevector(c, d, 0, 1, 2, 3, 8, 9, 10, 11);
+    detail::transposeRows<3>(row, out);
 }
 
 }  // namespace sphinx

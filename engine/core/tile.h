@@ -81,29 +81,22 @@ template <int Words, class Real, int Size>
 }
 }  // namespace detail
 
+/// Whose number stands in the lane of a pair.
+enum class Of { i, j };
+
 /// Records of `Size` numbers of the four particles at[0] to at[3]: out[c] is word c, of the first
-/// `Words` (an even number), of each j or of each i in the lanes of its pairs.
-template <int Words, class Real, int Size>
-[[gnu::always_inline]] inline void gatherOfEachJ(const Real* records, const std::uint32_t* at,
-                                                 TileOf<Real> (&out)[Size]) {
+/// `Words` (an even number), of each i or j in the lanes of its pairs.
+template <Of side, int Words, class Real, int Size>
+[[gnu::always_inline]] inline void gatherOfEach(const Real* records, const std::uint32_t* at,
+                                                TileOf<Real> (&out)[Size]) {
 #if defined(SPHINX_SPREADS_WORDS)
     if constexpr (std::is_same_v<Real, float>)
-        return spreadWords<Words>(records, at, out, [](int, int j) { return j; });
+        return spreadWords<Words>(records, at, out,
+                                  [](int i, int j) { return side == Of::i ? i : j; });
 #endif
     QuadOf<Real> quads[Size];
     detail::transposeWords<Words>(records, at, quads);
-    for (int c = 0; c < Words; ++c) out[c] = ofEachJ(quads[c]);
-}
-template <int Words, class Real, int Size>
-[[gnu::always_inline]] inline void gatherOfEachI(const Real* records, const std::uint32_t* at,
-                                                 TileOf<Real> (&out)[Size]) {
-#if defined(SPHINX_SPREADS_WORDS)
-    if constexpr (std::is_same_v<Real, float>)
-        return spreadWords<Words>(records, at, out, [](int i, int) { return i; });
-#endif
-    QuadOf<Real> quads[Size];
-    detail::transposeWords<Words>(records, at, quads);
-    for (int c = 0; c < Words; ++c) out[c] = ofEachI(quads[c]);
+    for (int c = 0; c < Words; ++c) out[c] = side == Of::i ? ofEachI(quads[c]) : ofEachJ(quads[c]);
 }
 
 /// Sixteen numbers as two halves of doubles.

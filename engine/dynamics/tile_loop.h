@@ -120,18 +120,11 @@ struct TileSide {
 };
 
 namespace detail {
-template <int Dim, class Real>
-[[gnu::always_inline]] inline TileSide<Dim, Real> sideI(const Real* records,
-                                                        const std::uint32_t* slots) {
+template <Of side, int Dim, class Real>
+[[gnu::always_inline]] inline TileSide<Dim, Real> loadSide(const Real* records,
+                                                           const std::uint32_t* slots) {
     TileOf<Real> words[8];
-    gatherOfEachI<TileRecord<Dim, Real>::words>(records, slots, words);
-    return TileSide<Dim, Real>(words);
-}
-template <int Dim, class Real>
-[[gnu::always_inline]] inline TileSide<Dim, Real> sideJ(const Real* records,
-                                                        const std::uint32_t* slots) {
-    TileOf<Real> words[8];
-    gatherOfEachJ<TileRecord<Dim, Real>::words>(records, slots, words);
+    gatherOfEach<side, TileRecord<Dim, Real>::words>(records, slots, words);
     return TileSide<Dim, Real>(words);
 }
 /// How far j stands from i, in units of place.
@@ -223,11 +216,11 @@ class TileSums {
         for (std::size_t c = 0; c + 1 < chunk.ranges.size(); ++c) {
             const Index first = chunk.first_slot + static_cast<Index>(c) * tile_side;
             const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
-            const auto i = detail::sideI<Dim>(words, own);
+            const auto i = detail::loadSide<Of::i, Dim>(words, own);
             ExactTile sum[N] = {};
             const auto tile = [&](Tile(&on_j)[N]) __attribute__((always_inline)) {
                 __builtin_prefetch(weight + 16 * tile_size);  // weights are read once a sum
-                const auto other = detail::sideJ<Dim>(words, j);
+                const auto other = detail::loadSide<Of::j, Dim>(words, j);
                 TilePairs<Dim, Real> pairs;
                 for (int k = 0; k < Dim; ++k)
                     pairs.gradient[k] = detail::placeDifference(i.place[k], other.place[k]);

@@ -215,7 +215,7 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
         const Index first = chunk.first_slot + static_cast<Index>(c) * tile_side;
         const std::uint32_t own[tile_side] = {first, first + 1, first + 2, first + 3};
         FloatTile of_i[Place::size];
-        gatherOfEachI<Place::words>(words, own, of_i);
+        gatherOfEach<Of::i, Place::words>(words, own, of_i);
         int filled = tile_side;  // empty slots are the last ones of a cluster
         while (columns_.point(first + static_cast<Index>(filled) - 1) == none) --filled;
         const WholeTile is_i = lane_i < filled;
@@ -234,7 +234,7 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
                 is_pair &= lane_j < pairs;
             }
             FloatTile of_j[Place::size];
-            gatherOfEachJ<Place::words>(words, j, of_j);
+            gatherOfEach<Of::j, Place::words>(words, j, of_j);
             DoubleTile exact[Dim];
             FloatTile near2 = tile(1e-6f), rest2 = {};
             for (int k = 0; k < Dim; ++k) {

@@ -48,8 +48,8 @@ class Surroundings {
     }
     /// Slots of own(), ascending, of the particles that have neighbors in any of the walls.
     const std::vector<Index>& slotsAtWalls() {
-        std::vector<std::uint64_t> builds{own_->builds()};
-        for (const Wall& wall : walls_) builds.push_back(wall.relation->builds);
+        std::uint64_t builds = own_->builds();  // counts only grow: so the sum tells of any
+        for (const Wall& wall : walls_) builds += wall.relation->builds;
         if (builds == builds_) return slots_at_walls_;
         builds_ = builds;
         slots_at_walls_.clear();
@@ -74,7 +74,7 @@ class Surroundings {
     const PairTiles<Dim>* own_ = nullptr;
     std::vector<Wall> walls_;
     std::vector<Index> slots_at_walls_;
-    std::vector<std::uint64_t> builds_;  // of the lists, when they were found
+    std::uint64_t builds_ = 0;  // of all lists, when they were found
 };
 
 }  // namespace sphinx::dynamics::fluid

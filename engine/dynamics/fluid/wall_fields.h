@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/aligned.h"
+#include "core/parallel.h"
 #include "dynamics/words.h"
 
 #include <algorithm>
@@ -71,11 +72,11 @@ struct WallFields {
         // What answers to forces has its velocity averaged at other times than it moves.
         stands_still = !responds && zero(velocity) && zero(acceleration);
         faces.resize(solid.held());
-        for (std::size_t j = 0; j < faces.size(); ++j) {
+        parallelFor(faces.size(), [&](std::size_t j) {
             faces[j] = {};
             for (int c = 0; c < Dim; ++c) faces[j].n[c] = (*normal)[j][c];
             faces[j].V = (*volume)[j];
-        }
+        });
     }
 
  private:

@@ -71,8 +71,8 @@ TEMPLATE_TEST_CASE("words of four particles in the lanes of their pairs", "", fl
     const std::uint32_t at[tile_side] = {4, 0, 3, 1};
     const auto check = [&]<int Words, int Size>() {
         TileOf<Real> of_i[Size], of_j[Size];
-        gatherOfEachI<Words>(records, at, of_i);
-        gatherOfEachJ<Words>(records, at, of_j);
+        gatherOfEach<Of::i, Words>(records, at, of_i);
+        gatherOfEach<Of::j, Words>(records, at, of_j);
         for (int c = 0; c < Words; ++c)
             for (int i = 0; i < tile_side; ++i)
                 for (int j = 0; j < tile_side; ++j) {

@@ -45,7 +45,7 @@ template <int Dim, class Number>
     const Number sign = -signOf<Number>(dot<Dim>(wall.n, pair.gradient));
     Number closing[Dim];
     for (int c = 0; c < Dim; ++c) {
-        wall.n[c] *= sign;
+        wall.n[c] = sign * wall.n[c];
         closing[c] = wall.v[c] - v[c];
     }
     return dot<Dim>(closing, wall.n);
