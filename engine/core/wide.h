@@ -48,6 +48,9 @@ struct Wide {
     friend Wide exp(Wide a) {
         return a.each([](double x) { return std::exp(x); });
     }
+    friend Wide pow(Wide a, double exponent) {
+        return a.each([=](double x) { return std::pow(x, exponent); });
+    }
     friend Wide log1p(Wide a) {
         return a.each([](double x) { return std::log1p(x); });
     }

@@ -4,6 +4,7 @@
 
 #include "core/number.h"
 #include "core/parallel.h"
+#include "dynamics/group.h"
 #include "dynamics/pair.h"
 #include "dynamics/words.h"
 #include "neighbors/pair_tiles.h"
@@ -61,6 +62,31 @@ class TileRecords {
                 }
             });
         });
+    }
+    /// Writes what a group of particles has; copies get it by updateCopies().
+    template <class Real>
+    [[gnu::always_inline]] void put(const PairTiles<Dim>& tiles, const Group& group,
+                                    const VecOf<Dim, Wide>& v, Wide p, Wide V) {
+        const Index* slots = tiles.slotsOf() + group.first;
+        TileRecord<Dim, Real>* records = data<Real>();
+        double first[4 * lane_count], volumes[lane_count];
+        if constexpr (Dim == 2) {
+            const Lanes words[4] = {v[0].at, v[1].at, p.at, V.at};
+            storeRecords<4>(words, first);
+        } else {
+            const Lanes words[4] = {v[0].at, v[1].at, v[2].at, p.at};
+            storeRecords<4>(words, first);
+            storeLanes(V.at, volumes);
+        }
+        for (std::size_t k = 0; k < group.count; ++k) {
+            // v, p and V stand one after the other.
+            TileRecord<Dim, Real>& record = records[slots[k]];
+            DoubleQuad words;
+            std::memcpy(&words, first + 4 * k, sizeof words);
+            const auto rounded = __builtin_convertvector(words, QuadOf<Real>);
+            std::memcpy(&record.v, &rounded, sizeof rounded);
+            if constexpr (Dim == 3) record.V = static_cast<Real>(volumes[k]);
+        }
     }
     /// write(record, i) for all particles, then copies get what was written.
     template <class Real, class Write>
@@ -172,36 +198,36 @@ class TileSums {
             tiles.chunks().size(),
             [&](std::size_t c) { addChunk<reaction, Real>(tiles.chunks()[c], words, term); }, 1);
     }
-    /// After add(): f(particle, slot, sums) for all particles; sums are in the unit that is `unit`
-    /// of one. Before, also(particle, sums) adds what else there is for the particles in the slots
-    /// `some`, which ascend.
+    /// After add(): f(group, sums) for the n particles, eight at a time; sums are in the unit that
+    /// is `unit` of one. Before, also(i, sums) adds what else there is for the particles `some`,
+    /// which ascend.
     template <class Also, class Function>
-    void forEach(const PairTiles<Dim>& tiles, double unit, const std::vector<Index>& some,
-                 Also&& also, Function&& f) {
-        parallelFor(
-            tiles.chunks().size(),
-            [&](std::size_t c) {
-                const auto& chunk = tiles.chunks()[c];
-                tiles.gather(chunk, sum_stride<N>, sums_.data());
-                const ExactNumber* exact = tiles.sumsOf(chunk, sum_stride<N>, sums_.data());
-                const Index* particles = tiles.particles();
-                auto next = std::ranges::lower_bound(some, chunk.first_slot);
-                for (Index slot = chunk.first_slot; slot < chunk.end_slot; ++slot) {
-                    const Index i = particles[slot];
-                    if (i == PairTiles<Dim>::none) continue;
-                    std::array<double, N> sums;
-                    for (int n = 0; n < N; ++n)
-                        sums[n] =
-                            unit * static_cast<double>(exact[sum_stride<N> * std::size_t{slot} +
-                                                             static_cast<std::size_t>(n)]);
-                    if (next != some.end() && *next == slot) {
-                        also(i, sums);
-                        ++next;
+    void forEach(const PairTiles<Dim>& tiles, std::size_t n, double unit,
+                 const std::vector<Index>& some, Also&& also, Function&& f) {
+        const auto& chunks = tiles.chunks();
+        if (chunks.size() > 1)
+            parallelFor(
+                chunks.size(),
+                [&](std::size_t c) { tiles.gather(chunks[c], sum_stride<N>, sums_.data()); }, 1);
+        parallelRanges(
+            groupCount(n),
+            [&](std::size_t begin, std::size_t end) __attribute__((flatten)) {
+                auto next = std::ranges::lower_bound(some, begin * lane_count);
+                for (std::size_t number = begin; number < end; ++number) {
+                    const Group group = groupOf(number, n);
+                    VecOf<N, Wide> sums = load(tiles.sumPlaces() + group.first, unit);
+                    const std::size_t group_end = group.first + group.count;
+                    for (; next != some.end() && *next < group_end; ++next) {
+                        const std::size_t k = *next - group.first;
+                        std::array<double, N> one;
+                        for (int m = 0; m < N; ++m) one[m] = sums[m][k];
+                        also(*next, one);
+                        for (int m = 0; m < N; ++m) sums[m].at[k] = one[m];
                     }
-                    f(i, slot, sums);
+                    f(group, sums);
                 }
             },
-            1);
+            default_grain / lane_count);
     }
 
  private:
@@ -252,6 +278,27 @@ class TileSums {
             }
             addOverJ<N>(sum, sums + sum_stride<N> * std::size_t{first});
         }
+    }
+
+    /// Of the eight particles whose sums stand at these places.
+    [[gnu::always_inline]] VecOf<N, Wide> load(const Index* places, double unit) const {
+        VecOf<N, Wide> sums;
+        const auto set = [&](int m, ExactLanes exact) {
+            sums[m] = unit * __builtin_convertvector(exact, Lanes);
+        };
+        if constexpr (N == 1) {
+            const auto at = [&](int k) { return sums_[places[k]]; };
+            set(0, ExactLanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)});
+        } else {
+            const auto* bits = reinterpret_cast<const double*>(sums_.data());
+            Lanes words[4];
+            if constexpr (N == 2)
+                gatherPairs(bits, places, words);
+            else
+                gatherRecords<sum_stride<N>>(bits, places, words);
+            for (int m = 0; m < N; ++m) set(m, reinterpret_cast<ExactLanes>(words[m]));
+        }
+        return sums;
     }
 
     AlignedVector<ExactNumber> sums_;

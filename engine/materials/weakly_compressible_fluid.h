@@ -22,11 +22,16 @@ struct WeaklyCompressibleFluidParameters {
 };
 
 /// p = c0^2 (rho - rho0), guide below (19).
+// Number is double or Wide.
+
 class LinearFluid final : public Fluid {
  public:
     using Fluid::Fluid;
 
-    double pressure(double rho) const { return c2_ * (rho - density()); }
+    template <class Number>
+    Number pressure(Number rho) const {
+        return c2_ * (rho - density());
+    }
     double densityAt(double p) const { return density() + p / c2_; }
     double internalEnergy(double rho) const {
         const double x = rho / density();
@@ -44,8 +49,10 @@ class TaitFluid final : public Fluid {
     TaitFluid(double density, double sound_speed, double viscosity, double gamma)
         : Fluid(density, sound_speed, viscosity), gamma_(gamma) {}
 
-    double pressure(double rho) const {
-        return density() * c2_ / gamma_ * (std::pow(rho / density(), gamma_) - 1);
+    template <class Number>
+    Number pressure(Number rho) const {
+        using std::pow;
+        return density() * c2_ / gamma_ * (pow(rho / density(), gamma_) - 1);
     }
     double densityAt(double p) const {
         return density() * std::pow(1 + gamma_ * p / (density() * c2_), 1 / gamma_);

@@ -31,6 +31,11 @@ typename PairTiles<Dim>::Place placeOf(const Vec<Dim>& x, double per_unit) {
     return place;
 }
 
+/// Entries for lanes beyond the last particle.
+void repeatLast(AlignedVector<Index>& of_particles, std::size_t n) {
+    for (std::size_t k = 0; k < lane_count; ++k) of_particles[n + k] = n ? of_particles[n - 1] : 0;
+}
+
 /// sigma/h^Dim: W of w.
 template <int Dim>
 double kernelUnit(const kernels::Kernel<Dim>& kernel) {
@@ -55,20 +60,18 @@ void PairTiles<Dim>::build(const Vec<Dim>* position, std::size_t n,
 
     const double per_unit = 1 / place_unit_;
     makeRoom(places_, columns_.slots() + copy_columns_.slots());
+    makeRoom(slot_of_, n + lane_count);
     parallelFor(columns_.slots(), [&](std::size_t s) {
         const Index i = columns_.point(static_cast<Index>(s));
         places_[s] = i == none ? Place{} : placeOf<Dim>(position[i], per_unit);
+        if (i != none) slot_of_[i] = static_cast<Index>(s);
     });
+    repeatLast(slot_of_, n);
     makeRoom(originals_, copy_columns_.slots());
-    if (!copies_.empty()) {
-        AlignedVector<Index> slot_of(n);
-        for (Index s = 0; s < columns_.slots(); ++s)
-            if (columns_.point(s) != none) slot_of[columns_.point(s)] = s;
-        for (Index s = 0; s < copy_columns_.slots(); ++s) {
-            const Index copy = copy_columns_.point(s);
-            places_[columns_.slots() + s] = copy == none ? Place{} : copy_places_[copy];
-            originals_[s] = copy == none ? none : slot_of[copies_[copy]];
-        }
+    for (Index s = 0; s < copy_columns_.slots(); ++s) {
+        const Index copy = copy_columns_.point(s);
+        places_[columns_.slots() + s] = copy == none ? Place{} : copy_places_[copy];
+        originals_[s] = copy == none ? none : slot_of_[copies_[copy]];
     }
     kernel_sum_.resize(n);
     divide();
@@ -84,6 +87,20 @@ void PairTiles<Dim>::build(const Vec<Dim>* position, std::size_t n,
         sum_count_ += chunk.reach_end - chunk.first_slot;
     }
     makeRoom(sums_, sum_count_);
+    if (chunks_.size() > 1) {
+        makeRoom(sum_places_, n + lane_count);
+        parallelFor(
+            chunks_.size(),
+            [&](std::size_t c) {
+                const Chunk& chunk = chunks_[c];
+                for (Index s = chunk.first_slot; s < chunk.end_slot; ++s)
+                    if (columns_.point(s) != none)
+                        sum_places_[columns_.point(s)] =
+                            static_cast<Index>(chunk.sums_at + (s - chunk.first_slot));
+            },
+            1);
+        repeatLast(sum_places_, n);
+    }
     kernels::withKernel<Dim>(kernel.type(), [&]<class K>() {
         withPrecision(precision_, [&]<class Real>() {
             parallelFor(
@@ -290,7 +307,8 @@ template <int Dim>
 std::size_t PairTiles<Dim>::bytes() const {
     std::size_t sum = columns_.bytes() + copy_columns_.bytes() +
                       sizeof(Place) * (places_.capacity() + copy_places_.capacity()) +
-                      sizeof(Index) * (copies_.capacity() + originals_.capacity()) +
+                      sizeof(Index) * (copies_.capacity() + originals_.capacity() + slot_of_.capacity() +
+                                       sum_places_.capacity()) +
                       sizeof(Vec<Dim>) * copy_positions_.capacity() +
                       sizeof(ExactNumber) * sums_.capacity() + 8 * kernel_sum_.capacity();
     for (const Chunk& chunk : chunks_)

@@ -84,6 +84,9 @@ class PairTiles {
     const Index* particles() const { return columns_.points(); }
     /// Copies are in the slots from here on.
     Index firstCopy() const { return columns_.slots(); }
+    /// The slots of the particles, one after the other, and at the end the last one again, for
+    /// whoever reads eight at a time.
+    const Index* slotsOf() const { return slot_of_.data(); }
     /// The slot of the particle of which there is a copy in this one; none where it is empty.
     Index original(Index slot) const { return originals_[slot - firstCopy()]; }
     const Place& place(Index slot) const { return places_[slot]; }
@@ -104,6 +107,10 @@ class PairTiles {
     /// sums + stride * slot are the sums of a slot that the chunk reaches.
     static ExactNumber* sumsOf(const Chunk& chunk, std::size_t stride, ExactNumber* sums) {
         return sums + stride * (chunk.sums_at - chunk.first_slot);
+    }
+    /// After gather(), sums + stride * sumPlaces()[i] are those of particle i. As slotsOf().
+    const Index* sumPlaces() const {
+        return chunks_.size() > 1 ? sum_places_.data() : slot_of_.data();
     }
     /// f(first slot of the cluster, slots of the j, how many, pairs) for all clusters; there are
     /// four j for each tile; bit k of pairs(tile) is set where its lane k has a pair.
@@ -145,6 +152,8 @@ class PairTiles {
     double gradient_unit_ = 1;
     Columns<Dim> columns_;
     Columns<Dim> copy_columns_;
+    AlignedVector<Index> slot_of_;
+    AlignedVector<Index> sum_places_;  // where there are several chunks
     AlignedVector<Index> copies_;     // their particles
     AlignedVector<Index> originals_;  // of the slots of copies, the slots of their particles
     AlignedVector<Place> copy_places_;

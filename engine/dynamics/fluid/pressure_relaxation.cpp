@@ -88,6 +88,8 @@ class PressureRelaxation final : public SolidLoad<Dim> {
 
     template <class Real>
     void predict(double dt);
+    template <class Real>
+    void record(const Group& group, const VecOf<Dim, Wide>& v, Wide p, Wide V);
     /// The mean weight of the fluid in the frame of its walls, and its mean velocity.
     void findMeans();
     /// Gives back what elastic solids have lost by the impedance of the fluid (Radiation).
@@ -212,42 +214,42 @@ template <int Dim>
 template <class Real>
 void PressureRelaxation<Dim>::predict(double dt) {
     const double half = 0.5 * dt;
-    const double rho0 = constants_.rho0;
-    const double per_c0 = 1 / constants_.c0;
-    const double per_pressure = 1 / (rho0 * constants_.c0 * constants_.c0);
-    const double per_cell = 1 / cell_;
-    const auto all = [&](auto&& pressure) {
-        const auto write = [
-            =, density = density_.data(), rate = density_rate_.data(), slack = slack_.data(),
-            mass = mass_.data(), pressure_of = pressure_.data(), volume = volume_.data(),
-            position = position_.data(), velocity = velocity_.data(), mean = mean_velocity_
-        ](TileRecord<Dim, Real> & record, Index i) __attribute__((always_inline)) {
-            const double rho = density[i] + half * rate[i];
-            const double dense = slack[i] > 0 ? std::max(rho, rho0) : rho;
-            const double p = pressure(dense);
-            const double V = mass[i] / dense;
-            density[i] = rho;
-            pressure_of[i] = p;
-            volume[i] = V;
-            const Vec<Dim> v = velocity[i];
-            position[i] += half * v;
-            for (int c = 0; c < Dim; ++c)
-                record.v[c] = static_cast<Real>(per_c0 * (v[c] - mean[c]));
-            record.p = static_cast<Real>(per_pressure * p);
-            record.V = static_cast<Real>(per_cell * V);
-        };
-        records_.template fill<Real>(around_.own(), write);
-        if (!loads_solids_) return;
-        parallelFor(body_->size(), [&](std::size_t i) {
-            PairState<Dim>& state = before_[i];
-            for (int c = 0; c < Dim; ++c) state.v[c] = velocity_[i][c];
-            state.p = pressure_[i];
-            state.V = volume_[i];
-        });
-    };
     // A copy of the law: for all that the compiler knows, its constants could change in the loop.
-    materials::withLaw(
-        *fluid_, [&](const auto& law) { all([law](double rho) { return law.pressure(rho); }); });
+    materials::withLaw(*fluid_, [&](const auto& law) {
+        parallelForGroups(body_->size(), [&, law, rho0 = constants_.rho0](const Group& group) {
+            const Wide rho = load(density_, group) + half * load(density_rate_, group);
+            const Wide dense = select(load(slack_, group) > 0, max(rho, rho0), rho);
+            const Wide p = law.pressure(dense);
+            const Wide V = load(mass_, group) / dense;
+            store(rho, density_, group);
+            store(p, pressure_, group);
+            store(V, volume_, group);
+            addProduct(half, velocity_, position_, group);
+            record<Real>(group, load(velocity_, group), p, V);
+        });
+    });
+    records_.template updateCopies<Real>(around_.own());
+    if (!loads_solids_) return;
+    parallelFor(body_->size(), [&](std::size_t i) {
+        PairState<Dim>& state = before_[i];
+        for (int c = 0; c < Dim; ++c) state.v[c] = velocity_[i][c];
+        state.p = pressure_[i];
+        state.V = volume_[i];
+    });
+}
+
+/// What the sums read of a group.
+template <int Dim>
+template <class Real>
+[[gnu::always_inline]] inline void PressureRelaxation<Dim>::record(const Group& group,
+                                                                   const VecOf<Dim, Wide>& v,
+                                                                   Wide p, Wide V) {
+    const double per_c0 = 1 / constants_.c0;
+    const double per_pressure = 1 / (constants_.rho0 * constants_.c0 * constants_.c0);
+    const double per_cell = 1 / cell_;
+    VecOf<Dim, Wide> relative;
+    for (int c = 0; c < Dim; ++c) relative[c] = per_c0 * (v[c] - mean_velocity_[c]);
+    records_.template put<Real>(around_.own(), group, relative, per_pressure * p, per_cell * V);
 }
 
 template <int Dim>
@@ -293,33 +295,24 @@ void PressureRelaxation<Dim>::momentum(double dt) {
         });
     const double pressure_unit = constants_.rho0 * constants_.c0 * constants_.c0;
     const double unit = pressure_unit * cell_ * cell_ * tiles.gradientUnit();
-    const double per_c0 = 1 / constants_.c0;
-    const double per_pressure = 1 / pressure_unit;
     const std::vector<SumGrid> grids = wallGrids(largest_force_);
     const auto addWalls = [&](Index i, std::array<double, Dim>& force) {
         for (std::size_t w = 0; w < grids.size(); ++w)
             addWallForce<R>(around_.walls()[w], grids[w], i, force);
     };
-    forces_.forEach(
-        tiles, unit, around_.slotsAtWalls(), addWalls,
-        [
-            =, velocity = velocity_.data(), external = external_.data(), mass = mass_.data(),
-            pressure = pressure_.data(), position = position_.data(),
-            records = records_.template data<Real>(), weight = weight_, mean = mean_velocity_
-        ](Index i, Index slot, const std::array<double, Dim>& force)
-            __attribute__((always_inline)) {
-                const Vec<Dim> v = velocity[i];
-                const Vec<Dim> g = external[i];
-                TileRecord<Dim, Real>& next = records[slot];
-                const double factor = -dt / mass[i];
-                for (int c = 0; c < Dim; ++c) {
-                    const double vc = v[c] + factor * force[c] + dt * g[c];
-                    velocity[i][c] = vc;
-                    next.v[c] = static_cast<Real>(per_c0 * (vc - mean[c]));
-                }
-                const double p = pressure[i] - dot<Dim>(weight.data(), position[i].data());
-                next.p = static_cast<Real>(per_pressure * p);
-            });
+    forces_.forEach(tiles, body_->size(), unit, around_.atWalls(), addWalls,
+                    [&](const Group& group, const VecOf<Dim, Wide>& force) {
+                        const Wide factor = -dt / load(mass_, group);
+                        VecOf<Dim, Wide> v = load(velocity_, group);
+                        v += factor * force;
+                        v += dt * load(external_, group);
+                        store(v, velocity_, group);
+                        const VecOf<Dim, Wide> x = load(position_, group);
+                        Wide hydrostatic = weight_[0] * x[0];
+                        for (int c = 1; c < Dim; ++c) hydrostatic += weight_[c] * x[c];
+                        record<Real>(group, v, load(pressure_, group) - hydrostatic,
+                                     load(volume_, group));
+                    });
 }
 
 /// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the particles of a wall.
@@ -353,15 +346,15 @@ Vec<Dim> PressureRelaxation<Dim>::slipImpulse(const WallFields<Dim>& fields,
 template <int Dim>
 template <class Real>
 void PressureRelaxation<Dim>::addSlipImpulses() {
-    const std::vector<Index>& slots = around_.slotsAtWalls();
+    const std::vector<Index>& particles = around_.atWalls();
     for (const auto& wall : around_.walls()) {
         if (!wall.fields.responds) continue;
-        parallelFor(slots.size(), [&](std::size_t k) {
-            const Index s = slots[k];
-            const Index i = around_.own().particles()[s];
+        parallelFor(particles.size(), [&](std::size_t k) {
+            const Index i = particles[k];
             if (wall.list().ranges[i].count == 0) return;
             velocity_[i] += slipImpulse(wall.fields, wall.list(), i) / mass_[i];
-            TileRecord<Dim, Real>& record = records_.template data<Real>()[s];
+            TileRecord<Dim, Real>& record =
+                records_.template data<Real>()[around_.own().slotsOf()[i]];
             for (int c = 0; c < Dim; ++c)
                 record.v[c] =
                     static_cast<Real>((velocity_[i][c] - mean_velocity_[c]) / constants_.c0);
@@ -468,16 +461,14 @@ void PressureRelaxation<Dim>::continuity(double dt) {
         for (std::size_t w = 0; w < grids.size(); ++w)
             closing[0] += wallClosing(around_.walls()[w], grids[w], i);
     };
-    rates_.forEach(
-        tiles, unit, around_.slotsAtWalls(), addWalls, [
-            =, velocity = velocity_.data(), density = density_.data(),
-            density_rate = density_rate_.data(), position = position_.data()
-        ](Index i, Index, const std::array<double, 1>& closing) __attribute__((always_inline)) {
-            const double rate = density[i] * closing[0];
-            density_rate[i] = rate;
-            density[i] += half * rate;
-            position[i] += half * velocity[i];
-        });
+    rates_.forEach(tiles, body_->size(), unit, around_.atWalls(), addWalls,
+                   [&](const Group& group, const VecOf<1, Wide>& closing) {
+                       const Wide rho = load(density_, group);
+                       const Wide rate = rho * closing[0];
+                       store(rate, density_rate_, group);
+                       store(rho + half * rate, density_, group);
+                       addProduct(half, velocity_, position_, group);
+                   });
 }
 
 /// sum_j 2 (v_i - v*_ij) . e_ij W' V_j over the particles of a wall.

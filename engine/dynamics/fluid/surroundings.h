@@ -46,22 +46,21 @@ class Surroundings {
     void look() {
         for (Wall& wall : walls_) wall.fields.look(*wall.body);
     }
-    /// Slots of own(), ascending, of the particles that have neighbors in any of the walls.
-    const std::vector<Index>& slotsAtWalls() {
+    /// The particles that have neighbors in any of the walls, ascending.
+    const std::vector<Index>& atWalls() {
         std::uint64_t builds = own_->builds();  // counts only grow: so the sum tells of any
         for (const Wall& wall : walls_) builds += wall.relation->builds;
-        if (builds == builds_) return slots_at_walls_;
+        if (builds == builds_) return at_walls_;
         builds_ = builds;
-        slots_at_walls_.clear();
-        if (walls_.empty()) return slots_at_walls_;
-        for (Index slot = 0; slot < own_->firstCopy(); ++slot) {
-            const Index i = own_->particles()[slot];
-            if (i != PairTiles<Dim>::none && std::ranges::any_of(walls_, [&](const Wall& wall) {
+        at_walls_.clear();
+        if (walls_.empty()) return at_walls_;
+        const std::size_t n = walls_.front().list().ranges.size();
+        for (Index i = 0; i < n; ++i)
+            if (std::ranges::any_of(walls_, [&](const Wall& wall) {
                     return wall.list().ranges[i].count != 0;
                 }))
-                slots_at_walls_.push_back(slot);
-        }
-        return slots_at_walls_;
+                at_walls_.push_back(i);
+        return at_walls_;
     }
     /// nullptr where the body is none of the walls.
     const Wall* wall(const Body<Dim>& body) const {
@@ -73,7 +72,7 @@ class Surroundings {
  private:
     const PairTiles<Dim>* own_ = nullptr;
     std::vector<Wall> walls_;
-    std::vector<Index> slots_at_walls_;
+    std::vector<Index> at_walls_;
     std::uint64_t builds_ = 0;  // of all lists, when they were found
 };
 

@@ -209,10 +209,11 @@ void ViscousForce<Dim>::accelerate() {
             for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
         }
     };
-    sums_.forEach(tiles, unit, around_.slotsAtWalls(), addWalls,
-                  [&](Index i, Index, const std::array<double, Dim>& force) {
-                      const double factor = factor_ / mass_[i];
-                      for (int c = 0; c < Dim; ++c) external_[i][c] += factor * force[c];
+    sums_.forEach(tiles, body_->size(), unit, around_.atWalls(), addWalls,
+                  [&](const Group& group, const VecOf<Dim, Wide>& force) {
+                      const Wide factor = factor_ / load(mass_, group);
+                      store(VecOf<Dim, Wide>(load(external_, group) + factor * force), external_,
+                            group);
                   });
 }
 
