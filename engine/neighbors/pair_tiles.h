@@ -96,8 +96,8 @@ class PairTiles {
     /// Weight times a difference of places is e W' in this unit, 1/length^(Dim+1). Of the products
     /// with what is of the size of 1, sums of a particle stay below 2^51.
     double gradientUnit() const { return gradient_unit_; }
-    /// Sum over the neighbors of particle i of W, 1/length^Dim.
-    double kernelSum(std::size_t i) const { return kernel_sum_[i]; }
+    /// Of each particle the sum over its neighbors of W, 1/length^Dim.
+    const double* kernelSums() const { return kernel_sum_.data(); }
 
     /// How many numbers all chunks need for sums, of each kind.
     std::size_t sumCount() const { return sum_count_; }

@@ -4,6 +4,7 @@
 
 #include "core/aligned.h"
 #include "core/parallel.h"
+#include "dynamics/group.h"
 #include "dynamics/methods.h"
 #include "materials/fluid.h"
 #include "neighbors/pair_tiles.h"
@@ -34,9 +35,9 @@ class DensitySummation final : public Method {
     };
 
     void runFree(double dt);
-    double freeDensity(std::size_t i, double correction, bool inside);
-    double share(std::size_t i) const;
-    bool seesSolid(std::size_t i) const;
+    void freeDensity(const Group& group, double correction, LaneMask outside);
+    Wide share(const Group& group) const;
+    LaneMask seesSolid(const Group& group) const;
     void findInside();
 
     Body<Dim>* body_;
@@ -53,7 +54,6 @@ class DensitySummation final : public Method {
     Field<double>& slack_;
     Field<double>* reference_ = nullptr;  // confined
     // Filled anew in every call.
-    AlignedVector<double> share_;          // S/S0
     AlignedVector<std::uint8_t> lacks_;    // support, of the slots of self_
     AlignedVector<std::uint8_t> cut_off_;  // a neighbor lacks support, likewise
 };
@@ -83,63 +83,80 @@ DensitySummation<Dim>::DensitySummation(Context<Dim>& context, const DensitySumm
 template <int Dim>
 void DensitySummation<Dim>::run(const Clock& clock) {
     if (!reference_) return runFree(clock.is_start ? 0 : clock.dt);
-    parallelFor(body_->size(), [&](std::size_t i) { density_[i] = (*reference_)[i] * share(i); });
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        store(load(*reference_, group) * share(group), density_, group);
+    });
 }
 
 template <int Dim>
 void DensitySummation<Dim>::runFree(double dt) {
     const double correction = -std::expm1(-dt / tau_);
-    share_.resize(body_->held());
-    parallelFor(body_->size(), [&](std::size_t i) { share_[i] = share(i); });
     findInside();
-    parallelFor(self_->firstCopy(), [&](std::size_t s) {
-        const Index i = self_->particle(static_cast<Index>(s));
-        if (i != PairTiles<Dim>::none)
-            density_[i] = freeDensity(i, correction, lacks_[s] == 0 && cut_off_[s] == 0);
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        const Index* slots = self_->slotsOf() + group.first;
+        const auto outside = [&](int k) -> std::int64_t {
+            return -static_cast<std::int64_t>(lacks_[slots[k]] | cut_off_[slots[k]]);
+        };
+        freeDensity(group, correction,
+                    LaneMask{outside(0), outside(1), outside(2), outside(3), outside(4), outside(5),
+                             outside(6), outside(7)});
     });
 }
 
-/// Inside: no surface cuts off a part of its own neighborhood.
+/// `outside`: a surface cuts off a part of its own neighborhood.
 template <int Dim>
-double DensitySummation<Dim>::freeDensity(std::size_t i, double correction, bool inside) {
-    const double rho = density_[i];
-    const bool was_slack = slack_[i] > 0;
-    const bool at_solid = seesSolid(i);
-    const bool supported = share_[i] >= least_share_;
-    slack_[i] = at_solid || !supported;
-    const bool alone = !at_solid && self_->kernelSum(i) == 0;
-    if (alone) return rho0_;
-    if (!at_solid && (was_slack || !supported)) return std::max(rho, rho0_);
-    const double sum = mass_[i] / cell_ * share_[i];
-    if (!inside) return std::max(rho, sum);
+[[gnu::always_inline]] inline void DensitySummation<Dim>::freeDensity(const Group& group,
+                                                                      double correction,
+                                                                      LaneMask outside) {
+    const Wide rho0 = rho0_;
+    const Wide rho = load(density_, group);
+    const Wide share = this->share(group);
+    const LaneMask was_slack = load(slack_, group) > 0;
+    const LaneMask at_solid = seesSolid(group);
+    const LaneMask lacks = share < least_share_;
+    store(select(at_solid | lacks, Wide(1), Wide(0)), slack_, group);
+    const Wide sum = load(mass_, group) / cell_ * share;
     // At a solid a sum below rho0 tells a gap, not tension.
-    const double right = at_solid && sum < rho0_ ? std::clamp(rho, sum, rho0_) : sum;
-    return rho + correction * (right - rho);
+    const Wide right =
+        select(at_solid & (sum < rho0), select(rho < sum, sum, select(rho > rho0, rho0, rho)), sum);
+    Wide value = rho + correction * (right - rho);
+    value = select(outside, max(rho, sum), value);
+    value = select(~at_solid & (was_slack | lacks), max(rho, rho0), value);
+    const LaneMask alone = ~at_solid & ~(load(self_->kernelSums(), group) > 0);
+    store(select(alone, rho0, value), density_, group);
 }
 
 /// S_i/S0: how much of its neighborhood the particle has.
 template <int Dim>
-double DensitySummation<Dim>::share(std::size_t i) const {
-    double sum = own_ + self_->kernelSum(i);
-    for (const Term& term : terms_) sum += term.weight * term.relation->list.kernel_sum[i];
+[[gnu::always_inline]] inline Wide DensitySummation<Dim>::share(const Group& group) const {
+    Wide sum = own_ + load(self_->kernelSums(), group);
+    for (const Term& term : terms_)
+        sum += term.weight * load(term.relation->list.kernel_sum.data(), group);
     return sum / lattice_sum_;
 }
 
 template <int Dim>
-bool DensitySummation<Dim>::seesSolid(std::size_t i) const {
-    return std::any_of(terms_.begin(), terms_.end(),
-                       [&](const Term& term) { return term.relation->list.kernel_sum[i] > 0; });
+[[gnu::always_inline]] inline LaneMask DensitySummation<Dim>::seesSolid(const Group& group) const {
+    LaneMask sees = {};
+    for (const Term& term : terms_)
+        sees |= load(term.relation->list.kernel_sum.data(), group) > 0;
+    return sees;
 }
 
 /// Particles that lack support tell their neighbors.
 template <int Dim>
 void DensitySummation<Dim>::findInside() {
-    lacks_.resize(self_->slots() + 3);  // anyOf() reads beyond the last
+    lacks_.assign(self_->slots() + 3, 0);  // anyOf() reads beyond the last
     cut_off_.assign(self_->slots(), 0);
-    parallelFor(self_->slots(), [&](std::size_t s) {
-        const Index i = self_->particle(static_cast<Index>(s));
-        lacks_[s] = i != PairTiles<Dim>::none && share_[i] < least_share_;
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        const LaneMask lacks = share(group) < least_share_;
+        for (std::size_t k = 0; k < group.count; ++k)
+            lacks_[self_->slotsOf()[group.first + k]] = lacks[k] != 0;
     });
+    for (Index slot = self_->firstCopy(); slot < self_->slots(); ++slot) {
+        const Index original = self_->original(slot);
+        lacks_[slot] = original != PairTiles<Dim>::none && lacks_[original] != 0;
+    }
     const auto tell = [&](Index slot) {  // several threads may say the same
         std::atomic_ref(cut_off_[slot]).store(1, std::memory_order_relaxed);
     };
@@ -148,21 +165,24 @@ void DensitySummation<Dim>::findInside() {
             const std::uint8_t* i_lacks = lacks_.data() + first;
             const bool any_i = (i_lacks[0] | i_lacks[1] | i_lacks[2] | i_lacks[3]) != 0;
             if (!any_i && !anyOf(lacks_.data(), j, count)) return;
+            // Lane 4 i + j is the pair of i and j.
+            unsigned of_lacking_i = 0;
+            for (int k = 0; k < tile_side; ++k)
+                if (i_lacks[k] != 0) of_lacking_i |= 0xfu << (tile_side * k);
+            unsigned i_told = 0;  // lanes
             for (std::size_t tile = 0; tile_side * tile < count; ++tile, j += tile_side) {
-                // Lane 4 i + j is the pair of i and j.
-                unsigned of_lacking_i = 0, of_lacking_j = 0;
-                for (int k = 0; k < tile_side; ++k) {
-                    if (i_lacks[k] != 0) of_lacking_i |= 0xfu << (tile_side * k);
-                    if (lacks_[j[k]] != 0) of_lacking_j |= 0x1111u << k;
-                }
+                const unsigned of_lacking_j = lacks_[j[0]] * 0x1111u | lacks_[j[1]] * 0x2222u |
+                                              lacks_[j[2]] * 0x4444u | lacks_[j[3]] * 0x8888u;
                 if ((of_lacking_i | of_lacking_j) == 0) continue;
                 const unsigned all = pairs(tile);
-                for (int k = 0; k < tile_side; ++k) {
-                    if ((all & of_lacking_i & (0x1111u << k)) != 0) tell(j[k]);
-                    if ((all & of_lacking_j & (0xfu << (tile_side * k))) != 0)
-                        tell(first + static_cast<Index>(k));
-                }
+                i_told |= all & of_lacking_j;
+                const unsigned j_told = all & of_lacking_i;
+                if (j_told == 0) continue;
+                for (int k = 0; k < tile_side; ++k)
+                    if ((j_told & (0x1111u << k)) != 0) tell(j[k]);
             }
+            for (int k = 0; k < tile_side; ++k)
+                if ((i_told & (0xfu << (tile_side * k))) != 0) tell(first + static_cast<Index>(k));
         });
 }
 
