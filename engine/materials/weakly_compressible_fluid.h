@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/wide.h"
 #include "input/declaration/registry.h"
 #include "materials/fluid.h"
 
@@ -22,16 +23,12 @@ struct WeaklyCompressibleFluidParameters {
 };
 
 /// p = c0^2 (rho - rho0), guide below (19).
-// Number is double or Wide.
-
 class LinearFluid final : public Fluid {
  public:
     using Fluid::Fluid;
 
-    template <class Number>
-    Number pressure(Number rho) const {
-        return c2_ * (rho - density());
-    }
+    double pressure(double rho) const { return c2_ * (rho - density()); }
+    Wide pressure(Wide rho) const { return c2_ * (rho - density()); }
     double densityAt(double p) const { return density() + p / c2_; }
     double internalEnergy(double rho) const {
         const double x = rho / density();
@@ -49,11 +46,8 @@ class TaitFluid final : public Fluid {
     TaitFluid(double density, double sound_speed, double viscosity, double gamma)
         : Fluid(density, sound_speed, viscosity), gamma_(gamma) {}
 
-    template <class Number>
-    Number pressure(Number rho) const {
-        using std::pow;
-        return density() * c2_ / gamma_ * (pow(rho / density(), gamma_) - 1);
-    }
+    double pressure(double rho) const { return pressureAt(rho); }
+    Wide pressure(Wide rho) const { return pressureAt(rho); }
     double densityAt(double p) const {
         return density() * std::pow(1 + gamma_ * p / (density() * c2_), 1 / gamma_);
     }
@@ -63,6 +57,12 @@ class TaitFluid final : public Fluid {
     }
 
  private:
+    template <class Number>
+    Number pressureAt(Number rho) const {
+        using std::pow;
+        return density() * c2_ / gamma_ * (pow(rho / density(), gamma_) - 1);
+    }
+
     double c2_ = soundSpeed() * soundSpeed();
     double gamma_;
 };

@@ -307,8 +307,8 @@ template <int Dim>
 std::size_t PairTiles<Dim>::bytes() const {
     std::size_t sum = columns_.bytes() + copy_columns_.bytes() +
                       sizeof(Place) * (places_.capacity() + copy_places_.capacity()) +
-                      sizeof(Index) * (copies_.capacity() + originals_.capacity() + slot_of_.capacity() +
-                                       sum_places_.capacity()) +
+                      sizeof(Index) * (copies_.capacity() + originals_.capacity() +
+                                       slot_of_.capacity() + sum_places_.capacity()) +
                       sizeof(Vec<Dim>) * copy_positions_.capacity() +
                       sizeof(ExactNumber) * sums_.capacity() + 8 * kernel_sum_.capacity();
     for (const Chunk& chunk : chunks_)

@@ -154,8 +154,8 @@ class PairTiles {
     Columns<Dim> copy_columns_;
     AlignedVector<Index> slot_of_;
     AlignedVector<Index> sum_places_;  // where there are several chunks
-    AlignedVector<Index> copies_;     // their particles
-    AlignedVector<Index> originals_;  // of the slots of copies, the slots of their particles
+    AlignedVector<Index> copies_;      // their particles
+    AlignedVector<Index> originals_;   // of the slots of copies, the slots of their particles
     AlignedVector<Place> copy_places_;
     AlignedVector<Vec<Dim>> copy_positions_;
     AlignedVector<Place> places_;

@@ -138,8 +138,7 @@ template <int Dim>
 template <int Dim>
 [[gnu::always_inline]] inline LaneMask DensitySummation<Dim>::seesSolid(const Group& group) const {
     LaneMask sees = {};
-    for (const Term& term : terms_)
-        sees |= load(term.relation->list.kernel_sum.data(), group) > 0;
+    for (const Term& term : terms_) sees |= load(term.relation->list.kernel_sum.data(), group) > 0;
     return sees;
 }
 

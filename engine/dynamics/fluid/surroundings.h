@@ -56,9 +56,8 @@ class Surroundings {
         if (walls_.empty()) return at_walls_;
         const std::size_t n = walls_.front().list().ranges.size();
         for (Index i = 0; i < n; ++i)
-            if (std::ranges::any_of(walls_, [&](const Wall& wall) {
-                    return wall.list().ranges[i].count != 0;
-                }))
+            if (std::ranges::any_of(
+                    walls_, [&](const Wall& wall) { return wall.list().ranges[i].count != 0; }))
                 at_walls_.push_back(i);
         return at_walls_;
     }

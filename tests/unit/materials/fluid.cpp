@@ -28,6 +28,7 @@ TEST_CASE("equations of state by hand") {
     // B = rho0 c0^2/7, and 1.1^7 = 1.9487171.
     const TaitFluid tait = taitFluid();
     CHECK(tait.pressure(1100) == Approx(4e5 / 7 * 0.9487171).epsilon(1e-14));
+    CHECK(tait.pressure(Wide(1100.0))[7] == tait.pressure(1100));
     CHECK(tait.densityAt(4e5 / 7 * 0.9487171) == Approx(1100).epsilon(1e-14));
     // With the exponent 1 it is the linear one.
     const TaitFluid straight = taitFluid(1);

@@ -94,6 +94,7 @@ void compareWithAllPairs(const std::vector<Vec<Dim>>& points, kernels::KernelTyp
             ++pairs;
             REQUIRE(seen[{i, j}] == 1);
         }
+        CHECK(tiles.particles()[tiles.slotsOf()[i]] == i);
         CHECK(tiles.kernelSums()[i] == Approx(sum).margin(1e-8 * kernel.value(0)));
     }
     CHECK(seen.size() <= pairs + 2);
