@@ -95,12 +95,17 @@ inline void store(const Wide& value, Field<double>& field, const Group& group) {
     detail::store<1>(&value.at, field.data(), group);
 }
 template <int Rows, int Columns>
-[[gnu::always_inline]] inline auto load(const Field<Eigen::Matrix<double, Rows, Columns>>& field,
+[[gnu::always_inline]] inline auto load(const Eigen::Matrix<double, Rows, Columns>* values,
                                         const Group& group) {
     constexpr int size = Rows * Columns;
     Lanes a[size];
-    detail::load<size>(field.data()->data(), group, a);
+    detail::load<size>(values->data(), group, a);
     return wide<Rows, Columns>(a);
+}
+template <int Rows, int Columns>
+[[gnu::always_inline]] inline auto load(const Field<Eigen::Matrix<double, Rows, Columns>>& field,
+                                        const Group& group) {
+    return load(field.data(), group);
 }
 template <int Rows, int Columns>
 [[gnu::always_inline]] inline void store(const Eigen::Matrix<Wide, Rows, Columns>& value,

@@ -24,12 +24,14 @@ void declareAdvectionTimeStep(input::Registry& registry);
 void declareAveragePressure(input::Registry& registry);
 void declareDensitySummation(input::Registry& registry);
 void declarePressureRelaxation(input::Registry& registry);
+void declareTransportVelocity(input::Registry& registry);
 void declareViscousForce(input::Registry& registry);
 }  // namespace fluid
 
 namespace force {
 void declareBodyForce(input::Registry& registry);
 void declareGravity(input::Registry& registry);
+void declareMeanVelocity(input::Registry& registry);
 void declarePointForce(input::Registry& registry);
 void declareSpring(input::Registry& registry);
 void declareSurfacePressure(input::Registry& registry);

@@ -18,9 +18,11 @@ void registerDynamics(input::Registry& registry) {
     fluid::declareAveragePressure(registry);
     fluid::declareDensitySummation(registry);
     fluid::declarePressureRelaxation(registry);
+    fluid::declareTransportVelocity(registry);
     fluid::declareViscousForce(registry);
     force::declareBodyForce(registry);
     force::declareGravity(registry);
+    force::declareMeanVelocity(registry);
     force::declarePointForce(registry);
     force::declareSpring(registry);
     force::declareSurfacePressure(registry);

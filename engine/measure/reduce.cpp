@@ -121,7 +121,8 @@ void declareReduce(input::Registry& registry) {
              "moment"},
             {"applied_load", Reduced::applied_load,
              "of the loads from outside (point_force, spring, surface_pressure) on an elastic "
-             "body, over its last step; with 'about' also the moment"},
+             "body, or of mean_velocity on a fluid, over the last step; with 'about' also the "
+             "moment"},
             {"contact_force", Reduced::contact_force,
              "of other surfaces on a solid (contact.force); with 'about' also the moment"},
         }),

@@ -7,6 +7,12 @@
 namespace sphinx::dynamics::fluid {
 
 enum class Surface { free, confined };
+inline auto surfaceWords() {
+    return input::choice<Surface>({
+        {"free", Surface::free, "flow with a free surface"},
+        {"confined", Surface::confined, "flow without free surface"},
+    });
+}
 
 /// Re-initialisation of the density by summation. S_i = W(0) + sum_j W_ij over the fluid and the
 /// solids it sees; a neighbor of another spacing counts with V_j0/V_i0. S0 is the sum over the full

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "core/number.h"
-#include "core/sum_all.h"
+#include "dynamics/fluid/mean.h"
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/solid_load.h"
 #include "dynamics/fluid/surroundings.h"
@@ -40,28 +40,6 @@ namespace {
 struct PressureRelaxationParameters {
     input::Name body;
     Riemann riemann = Riemann::low_dissipation;
-};
-
-/// Mean of a vector over the particles of bodies, zero where there are none.
-template <int Dim>
-class Mean {
- public:
-    void add(const Field<Vec<Dim>>& field, std::size_t n) {
-        using Terms = std::array<double, Dim + 1>;
-        const Terms sum = sumAll(n, [&](std::size_t i) {
-            Terms terms;
-            for (int c = 0; c < Dim; ++c) terms[c] = field[i][c];
-            terms[Dim] = 1;
-            return terms;
-        });
-        for (int c = 0; c < Dim; ++c) sum_[c] += sum[c];
-        count_ += sum[Dim];
-    }
-    Vec<Dim> value() const { return count_ > 0 ? Vec<Dim>(sum_ / count_) : sum_; }
-
- private:
-    Vec<Dim> sum_ = Vec<Dim>::Zero();
-    double count_ = 0;
 };
 
 template <int Dim>
