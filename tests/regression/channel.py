@@ -13,9 +13,9 @@ import checks
 VISCOSITY = 0.1
 TIMES = (0.1, 0.25, 0.5, 1, 2, 5)
 SPACING = 1 / 20
-# The gate of both cases, in units of the largest speed. See the tables over spacings in the
-# README.md of the cases: at L/20 the error is below it, and it falls with the spacing.
-LIMIT = 0.015
+# Of both cases, in units of the largest speed: at L/20 the error is below it, and it falls with the spacing. See the
+# tables over spacings in the README.md of the cases.
+LIMIT = 0.007
 
 
 def couette(y, t):

@@ -8,7 +8,12 @@ reads the surface by the eye of a threshold. Linear waves have omega^2 = g k tan
 the finite amplitude lengthens T by the factor 1 + (k A)^2/8 (deep water, second order): 1.1374.
 """
 
+import itertools
+import pathlib
+import tempfile
+
 import numpy as np
+import yaml
 
 import checks
 
@@ -34,8 +39,19 @@ def amplitudes(run):
     return np.array(times), np.array(values) / values[0]
 
 
-def measure(spacing):
-    run = checks.Run("standing_wave_2d/case.yaml", f"variables.spacing={spacing!r}",
+def with_transport(folder):
+    """The case with a transport velocity, which finds the surface."""
+    case = yaml.safe_load((checks.REPOSITORY / "cases/standing_wave_2d/case.yaml").read_text())
+    case["dynamics"]["transport"] = {"type": "fluid.transport_velocity", "body": "water", "surface": "free"}
+    steps = case["loop"]["steps"]
+    steps.insert(steps.index("gravity") + 1, "transport")
+    path = pathlib.Path(folder) / "case.yaml"
+    path.write_text(yaml.safe_dump(case, sort_keys=False))
+    return path
+
+
+def measure(spacing, case="standing_wave_2d/case.yaml"):
+    run = checks.Run(case, f"variables.spacing={spacing!r}",
                      "outputs.fields.every={time: 0.02}")
     t, a = amplitudes(run)
     before = np.flatnonzero(a[:-1] * a[1:] <= 0)
@@ -52,9 +68,10 @@ def measure(spacing):
 
 
 def study():
-    for spacing in (0.04, 0.02, 0.01):
-        found = measure(spacing)
-        print(f"| 1/{1 / spacing:g} | {found['period']:.4f} | {100 * (found['period'] / PERIOD - 1):+.2f} | "
+    for spacing, transport in itertools.product((0.04, 0.02, 0.01), (False, True)):
+        with tempfile.TemporaryDirectory() as folder:
+            found = measure(spacing, *[with_transport(folder)] * transport)
+        print(f"| {'with' if transport else 'without'} | 1/{1 / spacing:g} | {found['period']:.4f} | {100 * (found['period'] / PERIOD - 1):+.2f} | "
               f"{found['amplitude']:.3f} | {found['energy'] / found['wave']:+.2f} |")
 
 
@@ -79,6 +96,12 @@ def main():
     report.check("period less that of theory, of it", found["period"] / PERIOD - 1,
                  -PERIOD_LIMIT, PERIOD_LIMIT)
     report.check("amplitude after five periods", found["amplitude"], AMPLITUDE_LIMITS[spacing], 1.0)
+    with tempfile.TemporaryDirectory() as folder:
+        found = measure(spacing, with_transport(folder))
+    report.check("with transport velocity: period less that of theory, of it", found["period"] / PERIOD - 1,
+                 -PERIOD_LIMIT, PERIOD_LIMIT)
+    report.check("with transport velocity: amplitude after five periods", found["amplitude"],
+                 AMPLITUDE_LIMITS[spacing], 1.0)
     report.end()
 
 
