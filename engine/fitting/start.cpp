@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#include "fitting/start.h"
+
+#include "core/parallel.h"
+#include "fitting/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+
+namespace sphinx::fitting {
+namespace {
+
+/// Depths and distances that are compared, in spacings.
+constexpr double rounding = 1e-6;
+constexpr double tolerated = 0.005;
+
+template <int Dim>
+struct Point {
+    std::int64_t distance;  ///< from the surface, in units of the rounding
+    std::int64_t aside;     ///< sum of the coordinates' distances from the middle, likewise
+    std::uint64_t place;    ///< in the order of the lattice
+    Vec<Dim> x;
+    bool in_row = false;
+};
+
+/// The end of the run of points that `same` does not tell apart, and of which `wanted` is one,
+/// or its begin, whichever is nearer.
+template <class Points, class Same>
+std::size_t nearestEdge(const Points& points, std::size_t wanted, Same&& same) {
+    std::size_t low = wanted, high = wanted;
+    while (low > 0 && same(points[low - 1], points[low])) --low;
+    while (high > 0 && high < points.size() && same(points[high - 1], points[high])) ++high;
+    return wanted - low < high - wanted ? low : high;
+}
+
+/// How many of the points, that many about, are deeper than the others. `of`: what an error counts
+/// against.
+template <class Points>
+std::size_t deepest(const Points& points, double number, double of) {
+    const auto wanted = std::min(static_cast<std::size_t>(std::llround(number)), points.size());
+    const std::size_t count = nearestEdge(
+        points, wanted, [](const auto& a, const auto& b) { return a.distance == b.distance; });
+    if (std::abs(static_cast<double>(count) - number) <= tolerated * of) return count;
+    return nearestEdge(points, wanted, [](const auto& a, const auto& b) {
+        return a.distance == b.distance && a.aside == b.aside;
+    });
+}
+
+}  // namespace
+
+template <int Dim>
+double measure(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice,
+               double depth) {
+    const bool all = depth == std::numeric_limits<double>::infinity();
+    if (all && std::isfinite(shape.measure())) return shape.measure();
+    const Cells<Dim> cells{0.5 * lattice.spacing, lattice.origin};
+    const double margin = cells.size;
+    // In parts of a power of two, so that the order of cells makes no difference.
+    double sum = 0;
+    forEachCell(
+        shape, cells, -(all ? 0 : depth) - margin, margin,
+        [&](const Vec<Dim>& center, double distance) {
+            const double inside = 1 - partOutside<Dim>(shape, center, distance, cells.size);
+            const double deeper =
+                all ? 0 : 1 - partOutside<Dim>(shape, center, distance + depth, cells.size);
+            sum += std::round((inside - deeper) * 0x1p20) * 0x1p-20;
+        },
+        [&](std::size_t whole) {
+            if (all) sum += static_cast<double>(whole);
+        });
+    return sum * std::pow(cells.size, Dim);
+}
+
+template <int Dim>
+Start<Dim> startOf(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice) {
+    Start<Dim> start;
+    if (shape.empty()) return start;
+    const double unit = rounding * lattice.spacing;
+    const Box<Dim> bounds = shape.bounds();
+    const Vec<Dim> middle = 0.5 * (bounds.lower + bounds.upper);
+    std::vector<Point<Dim>> points;
+    forEachCell(
+        shape, Cells<Dim>{lattice.spacing, lattice.origin},
+        -std::numeric_limits<double>::infinity(), lattice.spacing,
+        [&](const Vec<Dim>& x, double distance) {
+            points.push_back({std::llround(distance / unit),
+                              std::llround((x - middle).template lpNorm<1>() / unit), points.size(),
+                              x});
+        },
+        [](std::size_t) {});
+    // From the deepest on.
+    std::ranges::sort(points, {},
+                      [](const Point<Dim>& p) { return std::tuple(p.distance, p.aside, p.place); });
+    const double whole = measure(shape, lattice);
+    const double exact = whole / std::pow(lattice.spacing, Dim);
+    points.resize(deepest(points, exact, exact));
+    if (points.empty()) return start;
+    start.volume = whole / static_cast<double>(points.size());
+    const double layer = measure(shape, lattice, lattice.spacing) / start.volume;
+    const std::size_t inner =
+        deepest(points, std::max(static_cast<double>(points.size()) - layer, 0.0), layer);
+    for (std::size_t n = 0; n < points.size(); ++n) points[n].in_row = n >= inner;
+    std::ranges::sort(points, {}, &Point<Dim>::place);
+    for (const Point<Dim>& point : points) {
+        start.points.push_back(point.x);
+        start.in_row.push_back(point.in_row);
+    }
+    return start;
+}
+
+template double measure(const geometry::Shape<2>&, const particles::Lattice<2>&, double);
+template double measure(const geometry::Shape<3>&, const particles::Lattice<3>&, double);
+template Start<2> startOf(const geometry::Shape<2>&, const particles::Lattice<2>&);
+template Start<3> startOf(const geometry::Shape<3>&, const particles::Lattice<3>&);
+
+}  // namespace sphinx::fitting

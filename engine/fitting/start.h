@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The sphinx developers
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/shape.h"
+#include "particles/lattice.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace sphinx::fitting {
+
+/// Area or volume of what of a shape lies less deep than that: where it has no closed form, that of
+/// cells of half a spacing.
+template <int Dim>
+double measure(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice,
+               double depth = std::numeric_limits<double>::infinity());
+
+template <int Dim>
+struct Start {
+    std::vector<Vec<Dim>> points;
+    std::vector<std::uint8_t> in_row;  ///< of the surface
+    double volume = 0;                 ///< of each
+};
+
+/// The points of a lattice that lie deepest in a shape, as many as the shape measures cells, and of
+/// them as many for the row at the surface as the layer of one spacing there does: those that lie
+/// least deep. Of both numbers that is taken which no two points of one depth make ambiguous, so
+/// that a mirrored shape has mirrored points. Where it would be off by more than half a percent (a
+/// row of a rectangle has one depth) the points nearest to the middle of the bounds come first
+/// among those.
+template <int Dim>
+Start<Dim> startOf(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice);
+
+}  // namespace sphinx::fitting
