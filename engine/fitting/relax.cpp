@@ -3,8 +3,8 @@
 #include "fitting/relax.h"
 
 #include "core/parallel.h"
-#include "fitting/crowded.h"
 #include "fitting/kernel_gradient.h"
+#include "fitting/near_pairs.h"
 #include "fitting/start.h"
 #include "fitting/surface_row.h"
 
@@ -26,6 +26,10 @@ constexpr double still = 0.1;
 constexpr double grain = 0x1p-24;
 /// In spacings: of a symmetric pair that a sharp corner has squeezed, one is left.
 constexpr double too_near = 0.5;
+/// In spacings: of the row, of all others at least, and where points come from that get into it.
+constexpr double row_depth = 0.5;
+constexpr double inner_depth = 1.02;
+constexpr double start_depth = 1.6;
 constexpr double shallow = 0.4;
 
 template <int Dim>
@@ -107,9 +111,9 @@ void Relaxation<Dim>::move(std::size_t i, double descent) {
     Vec<Dim> x = position_[i] + way;
     depth_[i] -= length;
     rest_[i] = force_[i].norm();
-    const double least = (in_row_[i] ? 0.5 : 1) * descent * spacing;
-    const double most =
-        in_row_[i] ? (1 - 0.5 * descent) * spacing : std::numeric_limits<double>::infinity();
+    const double least = (in_row_[i] ? row_depth : inner_depth) * descent * spacing;
+    const double most = in_row_[i] ? (start_depth + (row_depth - start_depth) * descent) * spacing
+                                   : std::numeric_limits<double>::infinity();
     if (in_row_[i] || depth_[i] < least) {
         depth_[i] = -shape_->signedDistance(x);
         const double wanted = std::clamp(depth_[i], least, most);
@@ -136,9 +140,20 @@ double Relaxation<Dim>::step(double descent) {
 
 template <int Dim>
 bool Relaxation<Dim>::thinOut() {
-    const auto pairs = crowded(position_, too_near * lattice_.spacing);
+    const NearPairs near = nearPairs(position_, too_near * lattice_.spacing);
+    const auto nearest = [&](Index i) {
+        const auto first = near.neighbor.begin() + static_cast<std::ptrdiff_t>(near.first[i]);
+        const auto last = near.neighbor.begin() + static_cast<std::ptrdiff_t>(near.first[i + 1]);
+        return std::min_element(first, last, [&](Index a, Index b) {
+            return (position_[a] - position_[i]).squaredNorm() <
+                   (position_[b] - position_[i]).squaredNorm();
+        });
+    };
     std::vector<std::uint8_t> leaves(position_.size(), 0);
-    for (const auto& [i, j] : pairs) {
+    for (Index i = 0; i < position_.size(); ++i) {
+        if (near.first[i] == near.first[i + 1]) continue;
+        const Index j = *nearest(i);
+        if (j < i || *nearest(j) != i) continue;
         position_[i] = rounded(0.5 * (position_[i] + position_[j]));
         in_row_[i] |= in_row_[j];
         leaves[j] = 1;
@@ -156,7 +171,7 @@ bool Relaxation<Dim>::thinOut() {
     moved_.assign(left, 1);
     depth_.resize(left);
     for (std::size_t i = 0; i < left; ++i) depth_[i] = -shape_->signedDistance(position_[i]);
-    return !pairs.empty();
+    return left < leaves.size();
 }
 
 template <int Dim>

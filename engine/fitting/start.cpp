@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "fitting/cells.h"
+#include "fitting/row_members.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,6 @@ struct Point {
     std::int64_t aside;     ///< sum of the coordinates' distances from the middle, likewise
     std::uint64_t place;    ///< in the order of the lattice
     Vec<Dim> x;
-    bool in_row = false;
 };
 
 /// The end of the run of points that `same` does not tell apart, and of which `wanted` is one,
@@ -37,17 +37,20 @@ std::size_t nearestEdge(const Points& points, std::size_t wanted, Same&& same) {
     return wanted - low < high - wanted ? low : high;
 }
 
-/// How many of the points, that many about, are deeper than the others. `of`: what an error counts
-/// against.
+/// How many of the points, that many about, are deeper than the others.
 template <class Points>
-std::size_t deepest(const Points& points, double number, double of) {
+std::size_t deepest(const Points& points, double number) {
     const auto wanted = std::min(static_cast<std::size_t>(std::llround(number)), points.size());
-    const std::size_t count = nearestEdge(
+    const auto best = [&](std::size_t count) {
+        return std::abs(static_cast<double>(count) - number) <= tolerated * number;
+    };
+    const std::size_t by_depth = nearestEdge(
         points, wanted, [](const auto& a, const auto& b) { return a.distance == b.distance; });
-    if (std::abs(static_cast<double>(count) - number) <= tolerated * of) return count;
-    return nearestEdge(points, wanted, [](const auto& a, const auto& b) {
+    if (best(by_depth)) return by_depth;
+    const std::size_t by_place = nearestEdge(points, wanted, [](const auto& a, const auto& b) {
         return a.distance == b.distance && a.aside == b.aside;
     });
+    return best(by_place) ? by_place : wanted;
 }
 
 }  // namespace
@@ -97,18 +100,13 @@ Start<Dim> startOf(const geometry::Shape<Dim>& shape, const particles::Lattice<D
                       [](const Point<Dim>& p) { return std::tuple(p.distance, p.aside, p.place); });
     const double whole = measure(shape, lattice);
     const double exact = whole / std::pow(lattice.spacing, Dim);
-    points.resize(deepest(points, exact, exact));
+    points.resize(deepest(points, exact));
     if (points.empty()) return start;
     start.volume = whole / static_cast<double>(points.size());
-    const double layer = measure(shape, lattice, lattice.spacing) / start.volume;
-    const std::size_t inner =
-        deepest(points, std::max(static_cast<double>(points.size()) - layer, 0.0), layer);
-    for (std::size_t n = 0; n < points.size(); ++n) points[n].in_row = n >= inner;
     std::ranges::sort(points, {}, &Point<Dim>::place);
-    for (const Point<Dim>& point : points) {
-        start.points.push_back(point.x);
-        start.in_row.push_back(point.in_row);
-    }
+    for (const Point<Dim>& point : points) start.points.push_back(point.x);
+    const double layer = measure(shape, lattice, lattice.spacing) / start.volume;
+    start.in_row = rowMembers(shape, lattice.spacing, start.points, layer);
     return start;
 }
 

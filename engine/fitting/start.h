@@ -25,11 +25,10 @@ struct Start {
 };
 
 /// The points of a lattice that lie deepest in a shape, as many as the shape measures cells, and of
-/// them as many for the row at the surface as the layer of one spacing there does: those that lie
-/// least deep. Of both numbers that is taken which no two points of one depth make ambiguous, so
-/// that a mirrored shape has mirrored points. Where it would be off by more than half a percent (a
-/// row of a rectangle has one depth) the points nearest to the middle of the bounds come first
-/// among those.
+/// them as many for the row at the surface as the layer of one spacing there measures. Of points
+/// that lie as deep all are taken or none where the number is right to half a percent all the same,
+/// so that a mirrored shape has mirrored points; else (a row of a rectangle lies as deep) those
+/// nearest to the middle of the bounds.
 template <int Dim>
 Start<Dim> startOf(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice);
 
