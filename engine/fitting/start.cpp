@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fitting/start.h"
 
-#include "core/parallel.h"
 #include "fitting/cells.h"
+#include "fitting/measure.h"
 #include "fitting/row_members.h"
 
 #include <algorithm>
@@ -56,29 +56,6 @@ std::size_t deepest(const Points& points, double number) {
 }  // namespace
 
 template <int Dim>
-double measure(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice,
-               double depth) {
-    const bool all = depth == std::numeric_limits<double>::infinity();
-    if (all && std::isfinite(shape.measure())) return shape.measure();
-    const Cells<Dim> cells{0.5 * lattice.spacing, lattice.origin};
-    const double margin = cells.size;
-    // In parts of a power of two, so that the order of cells makes no difference.
-    double sum = 0;
-    forEachCell(
-        shape, cells, -(all ? 0 : depth) - margin, margin,
-        [&](const Vec<Dim>& center, double distance) {
-            const double inside = 1 - partOutside<Dim>(shape, center, distance, cells.size);
-            const double deeper =
-                all ? 0 : 1 - partOutside<Dim>(shape, center, distance + depth, cells.size);
-            sum += std::round((inside - deeper) * 0x1p20) * 0x1p-20;
-        },
-        [&](std::size_t whole) {
-            if (all) sum += static_cast<double>(whole);
-        });
-    return sum * std::pow(cells.size, Dim);
-}
-
-template <int Dim>
 Start<Dim> startOf(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice) {
     Start<Dim> start;
     if (shape.empty()) return start;
@@ -105,13 +82,10 @@ Start<Dim> startOf(const geometry::Shape<Dim>& shape, const particles::Lattice<D
     start.volume = whole / static_cast<double>(points.size());
     std::ranges::sort(points, {}, &Point<Dim>::place);
     for (const Point<Dim>& point : points) start.points.push_back(point.x);
-    const double layer = measure(shape, lattice, lattice.spacing) / start.volume;
-    start.in_row = rowMembers(shape, lattice.spacing, start.points, layer);
+    start.in_row = rowMembers(shape, lattice, start.points, start.volume);
     return start;
 }
 
-template double measure(const geometry::Shape<2>&, const particles::Lattice<2>&, double);
-template double measure(const geometry::Shape<3>&, const particles::Lattice<3>&, double);
 template Start<2> startOf(const geometry::Shape<2>&, const particles::Lattice<2>&);
 template Start<3> startOf(const geometry::Shape<3>&, const particles::Lattice<3>&);
 

@@ -6,16 +6,9 @@
 #include "particles/lattice.h"
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace sphinx::fitting {
-
-/// Area or volume of what of a shape lies less deep than that: where it has no closed form, that of
-/// cells of half a spacing.
-template <int Dim>
-double measure(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice,
-               double depth = std::numeric_limits<double>::infinity());
 
 template <int Dim>
 struct Start {
