@@ -35,10 +35,10 @@ struct Relaxed {
 
 /// Particles of one volume in a shape, the row at the surface half a spacing inside, by relaxation:
 /// from points of a lattice they move down the gradient of their kernel sums, which is that of a
-/// constant pressure, as in Zhu et al. 2021, doi:10.1016/j.jcp.2021.110195. The row has as many as
-/// there is volume less than a spacing deep; it stays on the surface half a spacing below that of
-/// the shape, and all others a spacing below it or deeper. So their density is the same everywhere,
-/// which it is not if the pressure alone decides who gets into the row.
+/// constant pressure, as in Zhu, Zhang, Yu & Hu 2021, Journal of Hydrodynamics 33(2). The row has
+/// as many as there is volume less than a spacing deep; it stays on the surface half a spacing
+/// below that of the shape, and all others a spacing below it or deeper. So their density is the
+/// same everywhere, which it is not if the pressure alone decides who gets into the row.
 ///
 /// The places have the same bits on any number of threads; those of a shape that is mirrored in a
 /// plane through the lattice's origin are mirrored.

@@ -24,7 +24,7 @@ constexpr double row_depth = 0.5;
 constexpr double weight_of_depth = 0.25;
 /// Weights are whole numbers: the same for points that a symmetry exchanges.
 constexpr double unit = 1e-6;
-constexpr double tolerated = 0.02;
+constexpr double tolerated = 0.005;
 /// Places nearer than that are on one surface, in spacings.
 constexpr double same_surface = 1.7;
 
@@ -55,6 +55,7 @@ class Elimination {
 
     void findSurfaces(const AlignedVector<Vec<Dim>>& place);
     std::vector<Index> mostCrowded(Queue& queue);
+    std::vector<Index> apart(std::vector<Index> alike, std::size_t number) const;
     void leaveOut(Index candidate);
 
     const geometry::Shape<Dim>* shape_;
@@ -181,6 +182,25 @@ std::vector<Index> Elimination<Dim>::mostCrowded(Queue& queue) {
     return alike;
 }
 
+/// So many of them, each as far as can be from those before it: gaps close on either side.
+template <int Dim>
+std::vector<Index> Elimination<Dim>::apart(std::vector<Index> alike, std::size_t number) const {
+    const auto squared = [&](Index a, Index b) { return (x_[a] - x_[b]).squaredNorm(); };
+    for (std::size_t k = 1; k < number && number < alike.size(); ++k) {
+        const auto nearest = [&](Index candidate) {
+            double least = std::numeric_limits<double>::infinity();
+            for (std::size_t before = 0; before < k; ++before)
+                least = std::min(least, squared(alike[before], candidate));
+            return least;
+        };
+        const auto farthest = std::ranges::max_element(
+            alike.begin() + static_cast<std::ptrdiff_t>(k), alike.end(), {}, nearest);
+        std::swap(alike[k], *farthest);
+    }
+    alike.resize(number);
+    return alike;
+}
+
 template <int Dim>
 void Elimination<Dim>::leaveOut(Index candidate) {
     is_member_[candidate] = 0;
@@ -202,15 +222,16 @@ void Elimination<Dim>::leaveOutUntil(std::size_t surface, double number) {
         if (alike.empty()) return;
         const double excess = excessNow();
         const auto count = static_cast<double>(alike.size());
-        std::size_t leaving = alike.size();
-        if (count > excess) {  // the last ones
-            const double error = std::min(count - excess, excess);
-            if (error > tolerated * number)
-                leaving = static_cast<std::size_t>(std::llround(excess));
-            else if (excess < count - excess)
-                return;
+        if (count <= excess) {
+            for (const Index candidate : alike) leaveOut(candidate);
+            continue;
         }
-        for (std::size_t k = 0; k < leaving; ++k) leaveOut(alike[k]);
+        const bool all = count - excess < excess;
+        auto last = all ? alike.size() : std::size_t{0};
+        if (std::min(count - excess, excess) > tolerated * number)
+            last = static_cast<std::size_t>(std::llround(excess));
+        for (const Index candidate : apart(alike, last)) leaveOut(candidate);
+        return;
     }
 }
 
