@@ -30,7 +30,7 @@ struct BodyBlock {
     input::Name shape;
     input::Name material;
     std::optional<model::BodyResolution> resolution;
-    model::Arrangement arrangement = model::Arrangement::lattice;
+    std::optional<model::Arrangement> arrangement;
     std::optional<model::Initial> initial;
     std::vector<std::pair<input::Name, input::Name>> parts;
     std::optional<input::Table> particles;

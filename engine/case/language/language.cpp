@@ -198,7 +198,7 @@ void declareBody(Registry& registry) {
                      "fitted to the surface of the shape: moved from the lattice until the "
                      "outermost row stands half a spacing inside and all are spread evenly; "
                      "together they have the volume of the shape"}}),
-               "how the particles stand in the shape");
+               "how the particles stand in the shape; default: lattice");
     const auto block = [&](const char* name) -> const Declaration& {
         return *registry.find(Kind::block, name);
     };
