@@ -33,6 +33,7 @@ struct Body {
     particles::ParticleSet<Dim> particles;
     geometry::ShapePointer<Dim> shape;  ///< null for bodies given by points
     double spacing = 0;                 ///< dp, length
+    bool on_lattice = true;  ///< at the start; else its particles were fitted to the shape
     kernels::Kernel<Dim> kernel;
     std::vector<Body*> sees;  ///< topology: whose particles act on this body
     /// Neighbors that are one piece of material with this body (topology: bonded).

@@ -102,6 +102,20 @@ ShapePointer<3> makeCylinder(const Vec<3>& from, const Vec<3>& to, double radius
     return std::make_shared<Cylinder>(from, to, radius);
 }
 
+ShapePointer<3> makeTorus(const Vec<3>& center, const Vec<3>& axis, double ring_radius,
+                          double radius) {
+    requireFinite<3>("center", center);
+    requireFinite<3>("axis", axis);
+    if (!(axis.norm() > 0)) throw ShapeError("the axis of a torus must not be zero");
+    requirePositive("ring_radius", ring_radius);
+    requirePositive("radius", radius);
+    if (!(radius < ring_radius))
+        throw ShapeError(fmt::format(
+            "radius is {} but must be below ring_radius, {}, so that the torus has a hole", radius,
+            ring_radius));
+    return std::make_shared<Torus>(center, axis, ring_radius, radius);
+}
+
 template <int Dim>
 ShapePointer<Dim> makeUnion(const std::vector<ShapePointer<Dim>>& shapes) {
     return combine("a union", Rule::any, shapes);

@@ -77,6 +77,10 @@ ShapePointer<2> makePolygon(const std::vector<Vec<2>>& points);
 ShapePointer<2> readPolygon(const std::string& path);
 /// Solid cylinder between the centres of its two end faces.
 ShapePointer<3> makeCylinder(const Vec<3>& from, const Vec<3>& to, double radius);
+/// Ring about an axis: a circle of `radius`, its centre so far from `center` as `ring_radius` says,
+/// goes round once. The ring radius is the larger one.
+ShapePointer<3> makeTorus(const Vec<3>& center, const Vec<3>& axis, double ring_radius,
+                          double radius);
 
 // Booleans: exact in 2D (CGAL), by signed distance in 3D.
 template <int Dim>

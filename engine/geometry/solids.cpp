@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace sphinx::geometry {
 namespace {
 
@@ -133,6 +135,46 @@ ShapePointer<3> Cylinder::transformed(const Similarity<3>& map) const {
 ShapePointer<3> Cylinder::grown(double by) const {
     if (radius_ + by <= 0 || (to_ - from_).norm() + 2 * by <= 0) return nullptr;
     return std::make_shared<Cylinder>(from_ - by * axis_, to_ + by * axis_, radius_ + by);
+}
+
+Vec<3> Torus::fromCore(const Vec<3>& point) const {
+    const Vec<3> from = point - center_;
+    const Vec<3> radial = from - from.dot(axis_) * axis_;
+    const double distance = radial.norm();
+    // On the axis all of the circle is as near: any direction across it.
+    const Vec<3> outwards = distance > 0 ? Vec<3>(radial / distance) : axis_.unitOrthogonal();
+    return from - ring_radius_ * outwards;
+}
+
+double Torus::signedDistance(const Vec<3>& point) const { return fromCore(point).norm() - radius_; }
+
+Vec<3> Torus::normal(const Vec<3>& point) const {
+    const Vec<3> from = fromCore(point);
+    const double distance = from.norm();
+    return distance > 0 ? Vec<3>(from / distance) : axis_;
+}
+
+Box<3> Torus::bounds() const {
+    // Of the circle, and a ball about each of its points.
+    const Vec<3> reach =
+        (ring_radius_ * (1 - axis_.array().square()).max(0).sqrt() + radius_).matrix();
+    return {center_ - reach, center_ + reach};
+}
+
+ShapePointer<3> Torus::transformed(const Similarity<3>& map) const {
+    return std::make_shared<Torus>(map(center_), Vec<3>(map.turn() * axis_),
+                                   map.factor * ring_radius_, map.factor * radius_);
+}
+
+ShapePointer<3> Torus::grown(double by) const {
+    const double radius = radius_ + by;
+    if (radius <= 0) return nullptr;
+    if (radius >= ring_radius_)
+        throw ShapeError(
+            fmt::format("the offset {} closes the hole of a torus whose ring_radius "
+                        "is {} and radius {}",
+                        by, ring_radius_, radius_));
+    return std::make_shared<Torus>(center_, axis_, ring_radius_, radius);
 }
 
 }  // namespace sphinx::geometry

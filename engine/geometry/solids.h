@@ -81,4 +81,26 @@ class Cylinder final : public Solid {
     double radius_;
 };
 
+class Torus final : public Solid {
+ public:
+    Torus(const Vec<3>& center, const Vec<3>& axis, double ring_radius, double radius)
+        : center_(center), axis_(axis / axis.norm()), ring_radius_(ring_radius), radius_(radius) {}
+
+    double signedDistance(const Vec<3>& point) const override;
+    Vec<3> normal(const Vec<3>& point) const override;
+    Box<3> bounds() const override;
+    ShapePointer<3> transformed(const Similarity<3>& map) const override;
+    ShapePointer<3> grown(double by) const override;
+    double measure() const override {
+        return 2 * std::numbers::pi * std::numbers::pi * ring_radius_ * radius_ * radius_;
+    }
+
+ private:
+    /// From the nearest point of the circle about which the torus lies.
+    Vec<3> fromCore(const Vec<3>& point) const;
+
+    Vec<3> center_, axis_;
+    double ring_radius_, radius_;
+};
+
 }  // namespace sphinx::geometry

@@ -4,9 +4,11 @@
 
 #include "bodies/domain.h"
 #include "case/model/model.h"
+#include "fitting/relax.h"
 #include "particles/lattice.h"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace sphinx::build {
@@ -21,6 +23,8 @@ struct PlacedLattice {
     /// Points that lie on the surface all the same: those at which the body goes on towards larger
     /// coordinates are its particles, the others are not, and a mirrored body has others.
     std::size_t on_surface = 0;
+    /// How the points became those of a relaxed arrangement; itself without points.
+    std::optional<fitting::Relaxed<Dim>> relaxed;
 };
 
 /// The lattices of all bodies that have a shape and no particles of their own, by name.

@@ -3,6 +3,7 @@
 #include "case/build/world.h"
 
 #include "case/build/initial_values.h"
+#include "case/build/relaxed.h"
 #include "case/check/checks.h"
 #include "case/language/changes.h"
 #include "core/errors.h"
@@ -95,7 +96,7 @@ void checkPlaces(const input::Component& material, const std::vector<Vec<Dim>>& 
 
 template <int Dim>
 void makeParticles(const model::Case& model, const model::Body& source,
-                   const bodies::Domain<Dim>& domain, PlacedLattice<Dim>& placed,
+                   const bodies::World<Dim>& world, PlacedLattice<Dim>& placed,
                    bodies::Body<Dim>& body, input::Diagnostics& diagnostics) {
     std::vector<Vec<Dim>> points;
     std::vector<double> volumes;
@@ -104,9 +105,13 @@ void makeParticles(const model::Case& model, const model::Body& source,
     } else if (source.particles) {
         for (const input::Coordinates& p : source.particles->points) points.push_back(p.as<Dim>());
         volumes = source.particles->volumes;
+    } else if (source.arrangement == model::Arrangement::relaxed) {
+        relaxPoints(source, body, world, placed, diagnostics);
+        points = std::exchange(placed.points, {});
+        volumes.assign(points.size(), placed.relaxed->volume);
     } else {
         points = std::exchange(placed.points, {});
-        keepOnePeriod(points, domain);
+        keepOnePeriod(points, world.domain);
         if (model.version < 2) warnMoved(source, placed, diagnostics);
     }
     if (volumes.empty()) volumes.assign(points.size(), std::pow(body.spacing, Dim));
@@ -157,12 +162,13 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
             wall->in_mechanism = model.responds(source);
         if (!source.shape.empty()) body->shape = model.findShape(source.shape.text)->as<Dim>();
         body->spacing = source.spacing(model.resolution);
+        body->on_lattice = source.arrangement == model::Arrangement::lattice;
         const double h = source.smoothingRatio(model.resolution) * body->spacing;
         body->kernel = kernels::Kernel<Dim>(source.kernel(model.resolution), h, body->spacing);
         for (const model::Part& part : source.parts)
             body->parts.push_back({part.name, {}, model.findShape(part.shape.text)->as<Dim>()});
         if (particles || source.role == bodies::Role::observer)
-            makeParticles(model, source, world->domain, lattices[source.name], *body, diagnostics);
+            makeParticles(model, source, *world, lattices[source.name], *body, diagnostics);
         else
             bodies::addParticles(*body, {});
         world->bodies.push_back(std::move(body));

@@ -99,7 +99,7 @@ void checkPeriod(const model::Body& source, const bodies::Body<Dim>& body,
                             "reach of the kernel of {}",
                             "xyz"[axis], world.quantityText(period, unit::length),
                             world.quantityText(body.kernel.cutoff(), unit::length), body.name));
-        if (domain.periodic[axis] && body.shape && !source.particles)
+        if (domain.periodic[axis] && body.shape && !source.particles && body.on_lattice)
             checkClosing(source, body, world, axis, diagnostics);
     }
 }

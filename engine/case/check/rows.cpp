@@ -13,6 +13,8 @@ namespace sphinx::check {
 namespace {
 
 constexpr double thin_part = 0.1;
+/// No beam of so many bends otherwise than it should.
+constexpr std::size_t many_rows = 100;
 
 template <int Dim>
 struct Cell {
@@ -59,11 +61,43 @@ void countAlong(std::size_t axis, std::vector<Cell<Dim>>& cells) {
     }
 }
 
+/// Spacings that a line along the normal through a particle is long within the piece.
+template <int Dim>
+std::size_t rowsThrough(const std::vector<const bodies::Body<Dim>*>& piece,
+                        const bodies::Body<Dim>& body, const Vec<Dim>& x) {
+    const auto inside = [&](const Vec<Dim>& y) {
+        return std::ranges::any_of(piece, [&](const auto* one) { return one->shape->contains(y); });
+    };
+    const Vec<Dim> normal = body.shape->normal(x);
+    std::size_t rows = 1;
+    for (const double way : {-body.spacing, body.spacing})
+        for (int k = 1; rows < many_rows && inside(x + k * way * normal); ++k) ++rows;
+    return rows;
+}
+
+/// Of a body whose particles stand in no lattice: the same along the normals of its surface.
+template <int Dim>
+std::size_t fittedRowsAcross(const bodies::Body<Dim>& body) {
+    const auto piece = body.piece();
+    std::vector<std::size_t> rows;
+    for (const bodies::Body<Dim>* one : piece)
+        for (std::size_t i = 0; i < one->size(); ++i)
+            rows.push_back(rowsThrough(piece, *one, one->particles.position()[i]));
+    const auto place =
+        rows.begin() + static_cast<std::ptrdiff_t>(thin_part * static_cast<double>(rows.size()));
+    std::ranges::nth_element(rows, place);
+    return *place;
+}
+
 }  // namespace
 
 template <int Dim>
 std::size_t rowsAcross(const bodies::Body<Dim>& body) {
     if (body.size() == 0) return 0;
+    const auto piece = body.piece();
+    if (!body.on_lattice &&
+        std::ranges::all_of(piece, [](const auto* one) { return one->shape != nullptr; }))
+        return fittedRowsAcross(body);
     std::vector<Cell<Dim>> cells = cellsOf(body);
     for (std::size_t axis = 0; axis < Dim; ++axis) countAlong(axis, cells);
     const auto place =

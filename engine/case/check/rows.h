@@ -11,7 +11,7 @@ namespace sphinx::check {
 /// Rows of particles across the thin places of an elastic body with those bonded to it. Of each
 /// particle counts the shortest line of neighbors through it along an axis of the lattice, and of
 /// all these numbers the one that a tenth of the particles stay within: the corners of a round
-/// body are not its thickness.
+/// body are not its thickness. Particles that are fitted to a shape count along its normals.
 template <int Dim>
 std::size_t rowsAcross(const bodies::Body<Dim>& body);
 

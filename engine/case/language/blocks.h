@@ -30,6 +30,7 @@ struct BodyBlock {
     input::Name shape;
     input::Name material;
     std::optional<model::BodyResolution> resolution;
+    std::optional<model::Arrangement> arrangement;
     std::optional<model::Initial> initial;
     std::vector<std::pair<input::Name, input::Name>> parts;
     std::optional<input::Table> particles;

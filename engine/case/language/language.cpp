@@ -185,10 +185,20 @@ void declareBody(Registry& registry) {
                                  {"solid", BodyKind::solid, "rigid or elastic by its material"},
                                  {"observer", BodyKind::observer, "looks and does not act"}}),
                "what it is");
-    d.optional("shape", &P::shape, shapeReference(), "where a lattice of particles is made");
+    d.optional("shape", &P::shape, shapeReference(), "where particles are made");
     d.optional("material", &P::material, materialReference(), "law of the material");
     d.optional("particles", &P::particles, table(unit::length, unit::volume),
                "particles one by one, coordinates and volume (2D: area), instead of a lattice");
+    d.optional("arrangement", &P::arrangement,
+               choice<model::Arrangement>(
+                   {{"lattice", model::Arrangement::lattice,
+                     "the points of a square (cubic) lattice inside the shape, each with the "
+                     "volume of a cell"},
+                    {"relaxed", model::Arrangement::relaxed,
+                     "fitted to the surface of the shape: moved from the lattice until the "
+                     "outermost row stands half a spacing inside and all are spread evenly; "
+                     "together they have the volume of the shape"}}),
+               "how the particles stand in the shape; default: lattice");
     const auto block = [&](const char* name) -> const Declaration& {
         return *registry.find(Kind::block, name);
     };

@@ -52,6 +52,7 @@ model::Body makeBody(const NamedBody& named, const Component* material, int dime
     body.shape = block.shape;
     body.material = block.material;
     body.resolution = block.resolution.value_or(model::BodyResolution{});
+    body.arrangement = block.arrangement.value_or(model::Arrangement::lattice);
     body.initial = block.initial.value_or(model::Initial{});
     for (const auto& [key, place] : named.given)
         if (key == "initial") body.initial.place = place;

@@ -55,7 +55,8 @@ class SenseCheck {
     }
 
     void checkObserver(const NamedBody& body) {
-        refuse(body, {"shape", "material", "particles", "resolution", "initial", "parts"},
+        refuse(body,
+               {"shape", "material", "particles", "arrangement", "resolution", "initial", "parts"},
                "fluids and solids; an observer has points, line or area");
         const BodyBlock& b = body.block;
         if (b.points.has_value() + b.line.has_value() + b.area.has_value() != 1)
@@ -86,6 +87,8 @@ class SenseCheck {
             diagnostics_.error(body.place, body.name + " lacks 'shape' (or 'particles')");
         if (b.particles && b.particles->rows.empty())
             diagnostics_.error(*given(body, "particles"), "particles is empty");
+        if (b.particles)
+            refuse(body, {"arrangement"}, "bodies whose particles are made in a shape");
         if (b.initial && b.initial->pressure && !fluid)
             diagnostics_.error(*given(body, "initial"), "only a fluid has an initial pressure");
     }

@@ -22,6 +22,11 @@ struct CylinderParameters {
     Coordinates from, to;
     double radius = 0;
 };
+struct TorusParameters {
+    Coordinates center, axis;
+    double ring_radius = 0;
+    double radius = 0;
+};
 struct CombinationParameters {
     Shapes shapes;
 };
@@ -124,6 +129,20 @@ void declareCylinder(Registry& registry) {
         [](const P& p) { return geometry::makeCylinder(p.from.as<3>(), p.to.as<3>(), p.radius); }));
 }
 
+void declareTorus(Registry& registry) {
+    using P = TorusParameters;
+    auto& d = registry.declare<P>(Kind::shape, "torus");
+    d.summary("Torus (3D): a circle that goes round an axis outside of it");
+    d.optional("center", &P::center, coordinates(unit::length), "centre; default: the origin");
+    d.required("axis", &P::axis, coordinates(unit::none), "direction of the axis");
+    d.required("ring_radius", &P::ring_radius, number(unit::length).above(0),
+               "from the axis to the middle of the circle");
+    d.required("radius", &P::radius, number(unit::length).above(0), "of the circle");
+    d.builder(only<3, P>([](const P& p) {
+        return geometry::makeTorus(vector<3>(p.center), p.axis.as<3>(), p.ring_radius, p.radius);
+    }));
+}
+
 template <class Make>
 void declareCombination(Registry& registry, const char* name, const char* summary, Make make) {
     using P = CombinationParameters;
@@ -218,6 +237,7 @@ void registerShapes(Registry& registry) {
     declareBall<3>(registry, "sphere", "Sphere (3D)");
     declarePolygon(registry);
     declareCylinder(registry);
+    declareTorus(registry);
     declareCombination(registry, "union", "All of several shapes",
                        [](const auto& shapes) { return geometry::makeUnion(shapes); });
     declareCombination(registry, "difference", "The first shape without the others",

@@ -94,6 +94,12 @@ struct DirectParticles {
     std::vector<double> volumes;  ///< one per point
 };
 
+/// How the particles of a body stand in its shape.
+enum class Arrangement {
+    lattice,
+    relaxed,  ///< fitted to the surface
+};
+
 struct Body {
     std::string name;
     Place place;
@@ -101,9 +107,10 @@ struct Body {
     Name shape;     ///< empty for observers and bodies of direct particles
     Name material;  ///< empty for observers
     BodyResolution resolution;
+    Arrangement arrangement = Arrangement::lattice;
     Initial initial;
     std::vector<Part> parts;
-    std::optional<DirectParticles> particles;  ///< without: a lattice in the shape
+    std::optional<DirectParticles> particles;  ///< without: they are made in the shape
     std::vector<Coordinates> points;           ///< observers: where they look
     Followed follows;                          ///< observers
 

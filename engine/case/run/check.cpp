@@ -5,6 +5,7 @@
 #include "case/build/loop.h"
 #include "case/build/loop_facts.h"
 #include "case/build/outputs.h"
+#include "case/build/relaxed.h"
 #include "case/build/world.h"
 #include "case/check/rows.h"
 #include "case/run/simulation.h"
@@ -101,6 +102,7 @@ std::string latticeText(const build::PlacedLattice<Dim>& placed) {
     std::string axes;
     for (int k = 0; k < Dim; ++k)
         if (placed.moved[k]) axes += fmt::format("{}{}", axes.empty() ? "" : ", ", "xyz"[k]);
+    if (placed.relaxed) return ", " + build::relaxedText(*placed.relaxed);
     std::string text;
     if (!axes.empty()) text += fmt::format(", lattice moved by half a spacing in {}", axes);
     if (placed.on_surface > 0)

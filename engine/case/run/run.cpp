@@ -142,8 +142,11 @@ class Run {
         if (simulation_.resuming())
             log::info(fmt::format("going on from {} at time {}", simulation_.source().file.string(),
                                   timeText()));
-        for (const auto& body : world().bodies)
-            log::info(fmt::format("{}: {} particles", body->name, body->size()));
+        for (const auto& body : world().bodies) {
+            const std::string arrangement = simulation_.arrangement(body->name);
+            log::info(fmt::format("{}: {} particles{}{}", body->name, body->size(),
+                                  arrangement.empty() ? "" : ", ", arrangement));
+        }
     }
 
     void keepLastGoodState() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case/run/simulation.h"
 
+#include "case/build/relaxed.h"
 #include "case/build/world.h"
 #include "case/run/physics_text.h"
 #include "case/run/provenance.h"
@@ -32,8 +33,11 @@ Simulation<Dim>::Simulation(const model::Case& model, const RunOptions& options,
     input::Diagnostics diagnostics;
     build::checkLoop(placed_, diagnostics);
     diagnostics.throwIfErrors();
-    world_ = build::buildWorld<Dim>(model, !resuming(), diagnostics);
+    std::map<std::string, build::PlacedLattice<Dim>> lattices;
+    world_ = build::buildWorld<Dim>(model, !resuming(), diagnostics, &lattices);
     diagnostics.throwIfErrors();
+    for (const auto& [name, placed] : lattices)
+        if (placed.relaxed) arrangements_[name] = build::relaxedText(*placed.relaxed);
     warnings_ = diagnostics.text();
     relations_ = std::make_unique<neighbors::Relations<Dim>>(*world_);
     context_.emplace(build::makeContext<Dim>(model_, *world_, *relations_));

@@ -14,6 +14,7 @@
 #include "loop/run/runner.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -59,6 +60,11 @@ class Simulation {
     bool resuming() const { return options_.resume || !options_.restart.empty(); }
     const RestartSource& source() const { return source_; }  ///< when resuming
     std::string_view warnings() const { return warnings_; }
+    /// How the particles of a body were fitted to its shape; empty where they were not.
+    std::string arrangement(const std::string& body) const {
+        const auto found = arrangements_.find(body);
+        return found == arrangements_.end() ? "" : found->second;
+    }
     bodies::World<Dim>& world() { return *world_; }
     /// Of the outermost layer.
     const Clock& clock() const { return runner_->clock(); }
@@ -78,6 +84,7 @@ class Simulation {
     io::Provenance provenance_;
     build::PlacedFacts placed_;
     std::string warnings_;
+    std::map<std::string, std::string> arrangements_;  // by body
     RestartSource source_;
     std::unique_ptr<bodies::World<Dim>> world_;
     std::unique_ptr<neighbors::Relations<Dim>> relations_;

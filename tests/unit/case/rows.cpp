@@ -4,6 +4,7 @@
 
 #include "../scene/bodies.h"
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 #include <vector>
@@ -63,6 +64,22 @@ TEST_CASE("bodies that are bonded bend as one") {
     upper.bonded = {&lower};
     CHECK(check::rowsAcross(lower) == 5);
     CHECK(check::rowsAcross(upper) == 5);
+}
+
+TEST_CASE("rows of particles that are fitted to a shape count along its normals") {
+    test::Bodies<2> scene;
+    auto& body = scene.elastic(
+        "plate", points<2>([](const Vec<2>& x) { return std::abs(x[1]) < 2 * spacing; }));
+    // A plate that lies askew in the lattice has as many rows as one along it.
+    body.on_lattice = false;
+    const auto plate =
+        geometry::makeBox<2>({-20 * spacing, -2 * spacing}, {20 * spacing, 2 * spacing});
+    body.shape = geometry::makeRotated(plate, 0.5, {0, 0});
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        Vec<2>& x = body.particles.position()[i];
+        x = Vec<2>(Eigen::Rotation2Dd(0.5) * x) + Vec<2>(0, 0.1 * spacing);
+    }
+    CHECK(check::rowsAcross(body) == 4);
 }
 
 TEST_CASE("what rows do to bending is said in words") {

@@ -58,6 +58,34 @@ TEST_CASE("a ball answers by closed forms") {
     CHECK(shape->bounds().lower == Point(-1, -1, -1));
 }
 
+TEST_CASE("a torus answers by closed forms") {
+    const auto shape = makeTorus({0, 0, 1}, {0, 0, 3}, 2, 0.5);
+    CHECK(shape->measure() == Approx(std::numbers::pi * std::numbers::pi));
+    CHECK(shape->contains({2.5, 0, 1}));
+    CHECK(shape->contains({0, -1.5, 1}));
+    CHECK_FALSE(shape->contains({0, 0, 1}));
+    CHECK(shape->signedDistance({0, 2, 1}) == -0.5);
+    CHECK(shape->signedDistance({0, 0, 1}) == 1.5);
+    CHECK(shape->signedDistance({5, 0, 5}) == 4.5);
+    CHECK(shape->normal({5, 0, 5}).isApprox(Point(0.6, 0, 0.8), 1e-15));
+    CHECK(shape->normal({0, 1.75, 1}).isApprox(Point(0, -1, 0), 1e-15));
+    CHECK(shape->normal({2, 0, 1}).norm() == 1);
+    CHECK(shape->bounds().lower.isApprox(Point(-2.5, -2.5, 0.5), 1e-15));
+    CHECK(shape->bounds().upper.isApprox(Point(2.5, 2.5, 1.5), 1e-15));
+
+    const auto turned = makeRotated(shape, std::numbers::pi / 2, {0, 0, 1}, {1, 0, 0});
+    CHECK(turned->signedDistance({0, 4, 1}) == Approx(std::sqrt(20.) - 0.5));
+    CHECK(turned->signedDistance({0, 0, 3.75}) == Approx(0.25));
+    CHECK(turned->bounds().upper.isApprox(Point(2.5, 0.5, 3.5), 1e-12));
+    const auto grown = makeOffset<3>(shape, 0.25);
+    CHECK(grown->signedDistance({2.5, 0, 1}) == Approx(-0.25));
+    CHECK(makeScaled<3>(shape, 2, {0, 0, 1})->measure() == Approx(8 * shape->measure()));
+    CHECK_THROWS_AS(makeTorus({0, 0, 0}, {0, 0, 1}, 1, 1), ShapeError);
+    CHECK_THROWS_AS(makeTorus({0, 0, 0}, {0, 0, 0}, 1, 0.5), ShapeError);
+    CHECK_THROWS_AS(makeOffset<3>(shape, -0.5), ShapeError);
+    CHECK_THROWS_AS(makeOffset<3>(shape, 1.5), ShapeError);
+}
+
 TEST_CASE("a cylinder answers by closed forms") {
     const auto shape = makeCylinder({0, 0, 1}, {0, 0, 4}, 0.5);
     CHECK(shape->measure() == Approx(0.75 * std::numbers::pi));
