@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <map>
+#include <random>
 #include <utility>
 
 namespace sphinx::build {
@@ -94,6 +95,17 @@ void checkPlaces(const input::Component& material, const std::vector<Vec<Dim>>& 
         }
 }
 
+/// Displaces each point by up to a quarter of a spacing along each axis. The generator is the one
+/// that the standard defines to the bit, so it is the same everywhere.
+template <int Dim>
+void jitter(std::vector<Vec<Dim>>& points, double spacing) {
+    std::mt19937_64 generator;
+    for (Vec<Dim>& point : points)
+        for (double& component : point)
+            component +=
+                0.5 * spacing * (std::ldexp(static_cast<double>(generator() >> 11), -53) - 0.5);
+}
+
 template <int Dim>
 void makeParticles(const model::Case& model, const model::Body& source,
                    const bodies::World<Dim>& world, PlacedLattice<Dim>& placed,
@@ -113,6 +125,7 @@ void makeParticles(const model::Case& model, const model::Body& source,
         points = std::exchange(placed.points, {});
         keepOnePeriod(points, world.domain);
         if (model.version < 2) warnMoved(source, placed, diagnostics);
+        if (source.arrangement == model::Arrangement::jittered) jitter(points, body.spacing);
     }
     if (volumes.empty()) volumes.assign(points.size(), std::pow(body.spacing, Dim));
 

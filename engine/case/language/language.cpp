@@ -194,6 +194,9 @@ void declareBody(Registry& registry) {
                    {{"lattice", model::Arrangement::lattice,
                      "the points of a square (cubic) lattice inside the shape, each with the "
                      "volume of a cell"},
+                    {"jittered", model::Arrangement::jittered,
+                     "of a fluid: those points, each displaced at random by up to a quarter of a "
+                     "spacing along each axis, in the same way in every run"},
                     {"relaxed", model::Arrangement::relaxed,
                      "fitted to the surface of the shape: moved from the lattice until the "
                      "outermost row stands half a spacing inside and all are spread evenly; "

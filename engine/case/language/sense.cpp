@@ -89,6 +89,9 @@ class SenseCheck {
             diagnostics_.error(*given(body, "particles"), "particles is empty");
         if (b.particles)
             refuse(body, {"arrangement"}, "bodies whose particles are made in a shape");
+        if (b.arrangement == model::Arrangement::jittered && !fluid)
+            diagnostics_.error(*given(body, "arrangement"),
+                               "jittered is for fluids, whose particles find their places");
         if (b.initial && b.initial->pressure && !fluid)
             diagnostics_.error(*given(body, "initial"), "only a fluid has an initial pressure");
     }

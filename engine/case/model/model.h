@@ -97,6 +97,7 @@ struct DirectParticles {
 /// How the particles of a body stand in its shape.
 enum class Arrangement {
     lattice,
+    jittered,
     relaxed,  ///< fitted to the surface
 };
 

@@ -9,6 +9,10 @@ namespace sphinx::input {
 
 std::span<const Publication> publications() {
     static constexpr std::array all{
+        Publication{"Adami, Hu & Adams 2013",
+                    "S. Adami, X. Y. Hu, N. A. Adams, A transport-velocity formulation for "
+                    "smoothed particle hydrodynamics, J. Comput. Phys. 241, 292-307, 2013",
+                    "10.1016/j.jcp.2013.01.043"},
         Publication{"Bonet & Lok 1999",
                     "J. Bonet, T.-S. L. Lok, Variational and momentum preservation aspects of "
                     "smooth particle hydrodynamic formulations, Comput. Methods Appl. Mech. Eng. "
