@@ -23,8 +23,12 @@ inline void storeLanes(Lanes a, std::int32_t* p) {
     std::memcpy(p, &b, sizeof b);
 }
 
-inline Lanes maxLanes(Lanes a, Lanes b) { return a > b ? a : b; }
-inline Lanes minLanes(Lanes a, Lanes b) { return a < b ? a : b; }
+inline Lanes maxLanes(Lanes a, Lanes b) {
+    return byParts<DoublePart>(a, b, [](DoublePart x, DoublePart y) { return x > y ? x : y; });
+}
+inline Lanes minLanes(Lanes a, Lanes b) {
+    return byParts<DoublePart>(a, b, [](DoublePart x, DoublePart y) { return x < y ? x : y; });
+}
 
 /// The same in doubles: the first two of the four, and the others. (Of one vector of sixteen
 /// doubles GCC 12 makes single numbers.)

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#if defined(__AVX512F__)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
@@ -34,6 +34,32 @@ using WholeTile = std::int32_t __attribute__((vector_size(64)));
 
 inline Lanes lanes(double a) { return Lanes{a, a, a, a, a, a, a, a}; }
 inline FloatTile tile(float a) { return FloatTile{a, a, a, a, a, a, a, a, a, a, a, a, a, a, a, a}; }
+
+/// What the processor has a register for. Of a choice between longer vectors, and of their
+/// comparison, GCC 12 makes single numbers.
+#if defined(__AVX512F__)
+inline constexpr int part_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr int part_bytes = 32;
+#else
+inline constexpr int part_bytes = 16;
+#endif
+using FloatPart = float __attribute__((vector_size(part_bytes)));
+using DoublePart = double __attribute__((vector_size(part_bytes)));
+
+template <class Part>
+struct Parts {
+    static constexpr int count = 64 / part_bytes;
+    Part of[count];
+};
+/// f of each part of a and b.
+template <class Part, class Vector, class F>
+[[gnu::always_inline]] inline Vector byParts(Vector a, Vector b, F f) {
+    auto x = __builtin_bit_cast(Parts<Part>, a);
+    const auto y = __builtin_bit_cast(Parts<Part>, b);
+    for (int k = 0; k < Parts<Part>::count; ++k) x.of[k] = f(x.of[k], y.of[k]);
+    return __builtin_bit_cast(Vector, x);
+}
 
 /// Conversions in one instruction, where GCC 12 makes two halves of __builtin_convertvector. (The
 /// forms with a full mask: those without read a variable that GCC thinks uninitialised.)
@@ -96,7 +122,7 @@ inline FloatTile maxTile(FloatTile a, FloatTile b) {
     return reinterpret_cast<FloatTile>(
         _mm512_maskz_max_ps(0xffff, reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b)));
 #else
-    return a > b ? a : b;
+    return byParts<FloatPart>(a, b, [](FloatPart x, FloatPart y) { return x > y ? x : y; });
 #endif
 }
 inline FloatTile minTile(FloatTile a, FloatTile b) {
@@ -104,7 +130,7 @@ inline FloatTile minTile(FloatTile a, FloatTile b) {
     return reinterpret_cast<FloatTile>(
         _mm512_maskz_min_ps(0xffff, reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b)));
 #else
-    return a < b ? a : b;
+    return byParts<FloatPart>(a, b, [](FloatPart x, FloatPart y) { return x < y ? x : y; });
 #endif
 }
 
@@ -158,23 +184,57 @@ inline unsigned maskBits(LaneMask mask) {
     return bits;
 #endif
 }
+#if !defined(__AVX512F__)
+namespace detail {
+inline unsigned signBits(FloatPart a) {
+#if defined(__AVX__)
+    return static_cast<unsigned>(_mm256_movemask_ps(a));
+#elif defined(__SSE2__)
+    return static_cast<unsigned>(_mm_movemask_ps(a));
+#else
+    unsigned bits = 0;
+    for (int k = 0; k < part_bytes / 4; ++k) bits |= std::signbit(a[k]) ? 1u << k : 0u;
+    return bits;
+#endif
+}
+inline unsigned signBits(DoublePart a) {
+#if defined(__AVX__)
+    return static_cast<unsigned>(_mm256_movemask_pd(a));
+#elif defined(__SSE2__)
+    return static_cast<unsigned>(_mm_movemask_pd(a));
+#else
+    unsigned bits = 0;
+    for (int k = 0; k < part_bytes / 8; ++k) bits |= std::signbit(a[k]) ? 1u << k : 0u;
+    return bits;
+#endif
+}
+template <class Part, class Vector>
+[[gnu::always_inline]] inline unsigned lessBits(Vector a, Vector b) {
+    const auto x = __builtin_bit_cast(Parts<Part>, a);
+    const auto y = __builtin_bit_cast(Parts<Part>, b);
+    constexpr int each = sizeof(Part) / sizeof(a[0]);
+    unsigned bits = 0;
+    for (int k = 0; k < Parts<Part>::count; ++k)
+        bits |= signBits(reinterpret_cast<Part>(x.of[k] < y.of[k])) << (each * k);
+    return bits;
+}
+}  // namespace detail
+#endif
+
 /// Bit k is set where a[k] < b[k].
 inline unsigned lessBits(Lanes a, Lanes b) {
 #if defined(__AVX512F__)
     return _mm512_cmp_pd_mask(reinterpret_cast<__m512d>(a), reinterpret_cast<__m512d>(b),
                               _CMP_LT_OQ);
 #else
-    return maskBits(a < b);
+    return detail::lessBits<DoublePart>(a, b);
 #endif
 }
 inline unsigned lessBits(FloatTile a, FloatTile b) {
 #if defined(__AVX512F__)
     return _mm512_cmp_ps_mask(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b), _CMP_LT_OQ);
 #else
-    const WholeTile less = a < b;
-    unsigned bits = 0;
-    for (int k = 0; k < tile_size; ++k) bits |= less[k] ? 1u << k : 0u;
-    return bits;
+    return detail::lessBits<FloatPart>(a, b);
 #endif
 }
 /// Bit k is set where p[k] is not b.
@@ -263,6 +323,47 @@ template <int Words, int Size, class FourOf>
         const __m512 b = two(2);
         for (int c = 0; c < Words; ++c)
             out[c] = reinterpret_cast<FloatTile>(_mm512_permutex2var_ps(a, lanesOf(c), b));
+    }
+}
+#elif defined(__SSE2__)
+#define SPHINX_SPREADS_WORDS
+namespace detail {
+/// Lanes 4 i to 4 i + 3 are those of row i.
+inline FloatTile joinRows(__m128 a, __m128 b, __m128 c, __m128 d) {
+#if defined(__AVX__)
+    const Parts<FloatPart> joined = {{reinterpret_cast<FloatPart>(_mm256_set_m128(b, a)),
+                                      reinterpret_cast<FloatPart>(_mm256_set_m128(d, c))}};
+#else
+    const Parts<FloatPart> joined = {
+        {reinterpret_cast<FloatPart>(a), reinterpret_cast<FloatPart>(b),
+         reinterpret_cast<FloatPart>(c), reinterpret_cast<FloatPart>(d)}};
+#endif
+    return __builtin_bit_cast(FloatTile, joined);
+}
+template <int lane>
+inline __m128 spreadLane(__m128 a) {
+    return _mm_shuffle_ps(a, a, lane * 0x55);
+}
+}  // namespace detail
+
+/// As above. (What GCC 12 makes of shuffles of plain vectors goes by registers of integers.)
+template <int Words, int Size, class FourOf>
+[[gnu::always_inline]] inline void spreadWords(const float* records, const std::uint32_t* at,
+                                               FloatTile (&out)[Size], FourOf four_of) {
+    for (int first = 0; first < Words; first += 4) {
+        const auto row = [&](int k) {
+            return _mm_loadu_ps(records + std::size_t{Size} * at[k] + first);
+        };
+        __m128 words[4] = {row(0), row(1), row(2), row(3)};
+        _MM_TRANSPOSE4_PS(words[0], words[1], words[2], words[3]);
+        for (int c = first; c < Words && c < first + 4; ++c) {
+            const __m128 w = words[c - first];
+            if (four_of(0, 1) == 1)
+                out[c] = detail::joinRows(w, w, w, w);
+            else
+                out[c] = detail::joinRows(detail::spreadLane<0>(w), detail::spreadLane<1>(w),
+                                          detail::spreadLane<2>(w), detail::spreadLane<3>(w));
+        }
     }
 }
 #endif

@@ -99,6 +99,13 @@ template <Of side, int Words, class Real, int Size>
     for (int c = 0; c < Words; ++c) out[c] = side == Of::i ? ofEachI(quads[c]) : ofEachJ(quads[c]);
 }
 
+/// a - b modulo 2^32. (Of signed numbers an overflow has no meaning.)
+inline WholeTile wrappedDifference(WholeTile a, WholeTile b) {
+    using Wrapping = std::uint32_t __attribute__((vector_size(64)));
+    return reinterpret_cast<WholeTile>(reinterpret_cast<Wrapping>(a) -
+                                       reinterpret_cast<Wrapping>(b));
+}
+
 /// Sixteen numbers as two halves of doubles.
 inline Lanes lowLanes(WholeTile a) {
     return toLanes(__builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7));

@@ -155,11 +155,13 @@ template <Of side, int Dim, class Real>
 }
 /// How far j stands from i, in units of place.
 [[gnu::always_inline]] inline FloatTile placeDifference(FloatTile i, FloatTile j) {
-    return toFloat(reinterpret_cast<WholeTile>(j) - reinterpret_cast<WholeTile>(i));
+    return toFloat(
+        wrappedDifference(reinterpret_cast<WholeTile>(j), reinterpret_cast<WholeTile>(i)));
 }
 [[gnu::always_inline]] inline DoubleTile placeDifference(const DoubleTile& i, const DoubleTile& j) {
     const auto half = [](Lanes a, Lanes b) -> Lanes {
-        const WholeTile whole = reinterpret_cast<WholeTile>(b) - reinterpret_cast<WholeTile>(a);
+        const WholeTile whole =
+            wrappedDifference(reinterpret_cast<WholeTile>(b), reinterpret_cast<WholeTile>(a));
         const auto rest = [](Lanes c) {
             const auto words = reinterpret_cast<FloatTile>(c);
             return toLanes(__builtin_shufflevector(words, words, 1, 3, 5, 7, 9, 11, 13, 15));

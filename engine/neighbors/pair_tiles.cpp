@@ -255,8 +255,8 @@ void PairTiles<Dim>::weigh(Chunk& chunk, const kernels::Kernel<Dim>& kernel,
             DoubleTile exact[Dim];
             FloatTile near2 = tile(1e-6f), rest2 = {};
             for (int k = 0; k < Dim; ++k) {
-                WholeTile d =
-                    reinterpret_cast<WholeTile>(of_j[k]) - reinterpret_cast<WholeTile>(of_i[k]);
+                WholeTile d = wrappedDifference(reinterpret_cast<WholeTile>(of_j[k]),
+                                                reinterpret_cast<WholeTile>(of_i[k]));
                 if (k == 0) d = is_pair ? d : beyond + WholeTile{};
                 exact[k] = {lowLanes(d), highLanes(d)};
                 const FloatTile rounded = toFloat(d);

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -116,4 +117,30 @@ TEST_CASE("roots and places of a tile") {
     CHECK(highLanes(whole)[0] == -9);
     CHECK(joinFloats(lowLanes(whole), highLanes(whole))[8] == -9);
     CHECK(DoubleTile{lowLanes(whole), highLanes(whole)}[8] == -9);
+}
+
+TEST_CASE("differences of places go round at 2^32") {
+    WholeTile a = {}, b = {};
+    a[3] = -2120155944;
+    b[3] = 1559010980;
+    a[15] = 7;
+    b[15] = 9;
+    const WholeTile d = wrappedDifference(a, b);
+    CHECK(d[3] == 615800372);
+    CHECK(d[15] == -2);
+    CHECK(d[0] == 0);
+}
+
+TEST_CASE("larger and smaller numbers of tiles, and where they are smaller") {
+    FloatTile a = numbered(0), b = tile(150);
+    b[7] = a[7];
+    const FloatTile larger = maxTile(a, b), smaller = minTile(a, b);
+    unsigned less = 0;
+    for (int k = 0; k < tile_size; ++k) {
+        CHECK(larger[k] == std::max(a[k], b[k]));
+        CHECK(smaller[k] == std::min(a[k], b[k]));
+        less |= a[k] < b[k] ? 1u << k : 0u;
+    }
+    CHECK(lessBits(a, b) == less);
+    CHECK(lessBits(b, a) == (0xffffu & ~less & ~(1u << 7)));
 }
