@@ -14,7 +14,7 @@
 namespace sphinx::fitting {
 namespace {
 
-/// What is kept of a displacement: a heavy ball rolls down.
+/// What is kept of a displacement: a heavy ball rolls down (Polyak 1964).
 constexpr double inertia = 0.9;
 /// Steps in which the row gets to its depth. Sharp corners would squeeze points into one at once.
 constexpr int steps_of_descent = 50;
