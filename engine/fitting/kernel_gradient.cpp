@@ -31,8 +31,9 @@ double latticeSum(double spacing, double reach, Term&& term) {
     return sum;
 }
 
-/// Largest eigenvalue of the change of the sums by a wave along x of the displacements along x that
-/// alternates along as many axes.
+/// The largest change of the sum of a particle in the lattice, over the displacement, by waves of
+/// displacements along x that alternate from point to point along one axis or several: of all waves
+/// these change the sums most.
 template <int Dim>
 double stiffnessOf(const kernels::Kernel<Dim>& kernel, double spacing) {
     double largest = 0;

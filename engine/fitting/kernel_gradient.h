@@ -21,8 +21,7 @@ class KernelGradient {
                    const kernels::Kernel<Dim>& kernel);
 
     /// Finds `gradient` (1/length) anew where a particle that has moved is in reach; elsewhere it
-    /// is left as it was. `moved`: by less than a spacing. Each sum is exact: its bits know nothing
-    /// of order, threads and mirroring.
+    /// is left as it was. Each sum is exact: its bits know nothing of order, threads and mirroring.
     void compute(const AlignedVector<Vec<Dim>>& position, const AlignedVector<std::uint8_t>& moved,
                  double volume, AlignedVector<Vec<Dim>>& gradient);
 

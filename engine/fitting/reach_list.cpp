@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace sphinx::fitting {
 
@@ -31,6 +32,7 @@ void ReachList<Dim>::update(const AlignedVector<Vec<Dim>>& position) {
 template <int Dim>
 void ReachList<Dim>::build(const AlignedVector<Vec<Dim>>& position) {
     built_at_ = position;
+    fresh_ = true;
     particles_.build(position.data(), position.size(), cell_size_);
     blocks_.resize((particles_.cells() + cells_of_block - 1) / cells_of_block);
     parallelFor(
@@ -96,6 +98,10 @@ void ReachList<Dim>::fill(Block& block, std::size_t first, std::size_t last) {
 template <int Dim>
 void ReachList<Dim>::findStirred(const AlignedVector<std::uint8_t>& moved) {
     const std::size_t cells = particles_.cells();
+    if (std::exchange(fresh_, false)) {
+        stirred_.assign(cells, 1);
+        return;
+    }
     moving_.assign(cells, 0);
     stirred_.resize(cells);
     parallelFor(cells, [&](std::size_t cell) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/aligned.h"
+#include "core/parallel.h"
 #include "core/types.h"
 #include "neighbors/cell_grid.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -23,8 +25,8 @@ class ReachList {
     void update(const AlignedVector<Vec<Dim>>& position);
 
     /// Calls use(i, neighbors, count) for the particles which, or of whose neighbors any, have
-    /// moved. Numbers of neighbors from the number of particles on are pieces of the outside; their
-    /// count is a multiple of eight, filled up with i itself.
+    /// moved; for all where the list is new. Numbers of neighbors from the number of particles on
+    /// are pieces of the outside; their count is a multiple of eight, filled up with i itself.
     template <class Use>
     void forEachStirred(const AlignedVector<std::uint8_t>& moved, Use&& use);
 
@@ -47,15 +49,10 @@ class ReachList {
     neighbors::CellGrid<Dim> outside_;
     AlignedVector<Vec<Dim>> built_at_;
     std::vector<Block> blocks_;
+    bool fresh_ = true;                    // nothing has been found with this list yet
     AlignedVector<std::uint8_t> moving_;   // cells in which a particle has moved
     AlignedVector<std::uint8_t> stirred_;  // cells in reach of one
 };
-
-}  // namespace sphinx::fitting
-
-#include "core/parallel.h"
-
-namespace sphinx::fitting {
 
 template <int Dim>
 template <class Use>

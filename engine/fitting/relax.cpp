@@ -10,11 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sphinx::fitting {
 namespace {
 
-/// What is kept of a displacement: a heavy ball rolls down.
+/// What is kept of a displacement: a heavy ball rolls down (Polyak 1964).
 constexpr double inertia = 0.9;
 /// Steps in which the row gets to its depth. Sharp corners would squeeze points into one at once.
 constexpr int steps_of_descent = 50;
@@ -35,17 +36,13 @@ constexpr double shallow = 0.4;
 template <int Dim>
 class Relaxation {
  public:
-    Relaxation(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice,
-               const kernels::Kernel<Dim>& kernel, const RelaxLimits& limits)
-        : Relaxation(startOf(shape, lattice), shape, lattice, kernel, limits) {}
+    Relaxation(const Start<Dim>& start, const geometry::Shape<Dim>& shape,
+               const particles::Lattice<Dim>& lattice, const kernels::Kernel<Dim>& kernel,
+               const RelaxLimits& limits);
 
     Relaxed<Dim> run();
 
  private:
-    Relaxation(Start<Dim> start, const geometry::Shape<Dim>& shape,
-               const particles::Lattice<Dim>& lattice, const kernels::Kernel<Dim>& kernel,
-               const RelaxLimits& limits);
-
     /// A step; `descent`: how far the row has come. Returns the residual.
     double step(double descent);
     void move(std::size_t i, double descent);
@@ -71,7 +68,7 @@ class Relaxation {
 };
 
 template <int Dim>
-Relaxation<Dim>::Relaxation(Start<Dim> start, const geometry::Shape<Dim>& shape,
+Relaxation<Dim>::Relaxation(const Start<Dim>& start, const geometry::Shape<Dim>& shape,
                             const particles::Lattice<Dim>& lattice,
                             const kernels::Kernel<Dim>& kernel, const RelaxLimits& limits)
     : shape_(&shape),
@@ -201,8 +198,9 @@ Relaxed<Dim> Relaxation<Dim>::run() {
 template <int Dim>
 Relaxed<Dim> relax(const geometry::Shape<Dim>& shape, const particles::Lattice<Dim>& lattice,
                    const kernels::Kernel<Dim>& kernel, const RelaxLimits& limits) {
-    if (shape.empty()) return {};
-    return Relaxation<Dim>(shape, lattice, kernel, limits).run();
+    const Start<Dim> start = startOf(shape, lattice);
+    if (start.points.empty()) return {};
+    return Relaxation<Dim>(start, shape, lattice, kernel, limits).run();
 }
 
 template Relaxed<2> relax(const geometry::Shape<2>&, const particles::Lattice<2>&,

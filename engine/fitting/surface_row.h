@@ -8,17 +8,16 @@
 
 namespace sphinx::fitting {
 
-/// The surface that lies so deep below that of a shape, and how points get onto it.
+/// Surfaces that lie somewhat below that of a shape, and how points get onto them.
 template <int Dim>
 class SurfaceRow {
  public:
-    /// Both lengths. `depth` may change later: the row goes down.
     SurfaceRow(const geometry::Shape<Dim>& shape, double spacing)
         : shape_(&shape), spacing_(spacing) {}
 
-    /// The nearest point to x that lies as deep as that or deeper, of an x that is less deep: on
-    /// the planes of the nearest faces, of which there are up to Dim at corners. Where the shape is
-    /// not as thick it is a point between its faces, less deep. x that is deeper moves up onto it.
+    /// The place nearest to x that is so deep: on one plane parallel to the nearest face, or where
+    /// those of up to Dim faces meet. Where the shape is not thick enough it lies between its
+    /// faces, less deep.
     Vec<Dim> place(const Vec<Dim>& x, double depth) const;
 
  private:

@@ -50,7 +50,7 @@ void relaxPoints(const model::Body& source, const bodies::Body<Dim>& body,
                         "finer spacing mends it",
                         body.name, world.quantityText(body.spacing, unit::length),
                         world.placeText(*relaxed.thin)));
-    else if (!relaxed.converged)
+    else if (!relaxed.converged && !placed.points.empty())
         diagnostics.warning(
             source.place,
             fmt::format("the particles of {} have not come to rest: after {} steps the residual is "

@@ -175,7 +175,7 @@ std::unique_ptr<bodies::World<Dim>> buildWorld(const model::Case& model, bool pa
             wall->in_mechanism = model.responds(source);
         if (!source.shape.empty()) body->shape = model.findShape(source.shape.text)->as<Dim>();
         body->spacing = source.spacing(model.resolution);
-        body->on_lattice = source.arrangement == model::Arrangement::lattice;
+        body->on_lattice = source.arrangement != model::Arrangement::relaxed;
         const double h = source.smoothingRatio(model.resolution) * body->spacing;
         body->kernel = kernels::Kernel<Dim>(source.kernel(model.resolution), h, body->spacing);
         for (const model::Part& part : source.parts)

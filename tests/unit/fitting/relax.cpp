@@ -194,3 +194,12 @@ TEST_CASE("a relaxation that is cut short says so") {
     CHECK(found.steps == 60);
     CHECK(found.residual > 5e-3);
 }
+
+TEST_CASE("of a shape without a volume there is nothing") {
+    const auto ball = geometry::makeBall<3>({0, 0, 0}, 1);
+    const auto larger = geometry::makeBall<3>({0, 0, 0}, 1.5);
+    CHECK(relaxed(*geometry::makeDifference<3>({ball, larger}), 0.25).points.empty());
+    const auto far = geometry::makeBall<2>({5, 0}, 1);
+    const auto none = geometry::makeIntersection<2>({geometry::makeBall<2>({0, 0}, 1), far});
+    CHECK(relaxed(*none, 0.25).points.empty());
+}
