@@ -10,8 +10,77 @@ namespace sphinx {
 // component c of particle k is p[Size * k + c] in memory and a[c][k] in lanes. (A call that is not
 // inlined writes all registers of the loop around it to memory.)
 
+#if !defined(__AVX512F__)
+namespace detail {
+// Without registers of eight doubles GCC 12 makes single numbers of their permutations.
+
+inline HalfLanes loadHalf(const double* p) {
+    HalfLanes a;
+    std::memcpy(&a, p, sizeof a);
+    return a;
+}
+inline void storeHalf(HalfLanes a, double* p) { std::memcpy(p, &a, sizeof a); }
+inline void setHalf(Lanes& a, int half, HalfLanes value) {
+    std::memcpy(reinterpret_cast<char*>(&a) + static_cast<std::size_t>(half) * sizeof value, &value,
+                sizeof value);
+}
+inline HalfLanes getHalf(const Lanes& a, int half) {
+    HalfLanes value;
+    std::memcpy(&value,
+                reinterpret_cast<const char*>(&a) + static_cast<std::size_t>(half) * sizeof value,
+                sizeof value);
+    return value;
+}
+/// Rows and columns of four by four numbers change places.
+inline void transpose(HalfLanes (&m)[4]) {
+    const HalfLanes a = __builtin_shufflevector(m[0], m[1], 0, 4, 2, 6);
+    const HalfLanes b = __builtin_shufflevector(m[0], m[1], 1, 5, 3, 7);
+    const HalfLanes c = __builtin_shufflevector(m[2], m[3], 0, 4, 2, 6);
+    const HalfLanes d = __builtin_shufflevector(m[2], m[3], 1, 5, 3, 7);
+    m[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    m[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    m[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    m[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+template <int Size>
+[[gnu::always_inline]] inline void loadHalves(const double* p, Lanes a[Size]) {
+    for (int half = 0; half < 2; ++half, p += 4 * Size) {
+        if constexpr (Size == 2) {
+            const HalfLanes b = loadHalf(p);
+            const HalfLanes c = loadHalf(p + 4);
+            setHalf(a[0], half, __builtin_shufflevector(b, c, 0, 2, 4, 6));
+            setHalf(a[1], half, __builtin_shufflevector(b, c, 1, 3, 5, 7));
+        } else {
+            HalfLanes m[4] = {loadHalf(p), loadHalf(p + 4), loadHalf(p + 8), loadHalf(p + 12)};
+            transpose(m);
+            for (int c = 0; c < 4; ++c) setHalf(a[c], half, m[c]);
+        }
+    }
+}
+template <int Size>
+[[gnu::always_inline]] inline void storeHalves(const Lanes a[Size], double* p) {
+    for (int half = 0; half < 2; ++half, p += 4 * Size) {
+        if constexpr (Size == 2) {
+            const HalfLanes b = getHalf(a[0], half);
+            const HalfLanes c = getHalf(a[1], half);
+            storeHalf(__builtin_shufflevector(b, c, 0, 4, 1, 5), p);
+            storeHalf(__builtin_shufflevector(b, c, 2, 6, 3, 7), p + 4);
+        } else {
+            HalfLanes m[4];
+            for (int c = 0; c < 4; ++c) m[c] = getHalf(a[c], half);
+            transpose(m);
+            for (int k = 0; k < 4; ++k) storeHalf(m[k], p + 4 * k);
+        }
+    }
+}
+}  // namespace detail
+#endif
+
 template <int Size>
 [[gnu::always_inline]] inline void loadRecords(const double* p, Lanes a[Size]) {
+#if !defined(__AVX512F__)
+    if constexpr (Size == 2 || Size == 4) return detail::loadHalves<Size>(p, a);
+#endif
     if constexpr (Size == 1) {
         a[0] = loadLanes(p);
     } else if constexpr (Size == 2) {
@@ -41,6 +110,9 @@ template <int Size>
 
 template <int Size>
 [[gnu::always_inline]] inline void storeRecords(const Lanes a[Size], double* p) {
+#if !defined(__AVX512F__)
+    if constexpr (Size == 2 || Size == 4) return detail::storeHalves<Size>(a, p);
+#endif
     if constexpr (Size == 1) {
         storeLanes(a[0], p);
     } else if constexpr (Size == 2) {

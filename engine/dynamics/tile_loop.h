@@ -292,12 +292,14 @@ class TileSums {
             const auto at = [&](int k) { return sums_[places[k]]; };
             set(0, ExactLanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)});
         } else {
-            const auto* bits = reinterpret_cast<const double*>(sums_.data());
+            // In a row, of which loadRecords() makes components.
+            double rows[sum_stride<N> * lane_count];
+            for (std::size_t k = 0; k < lane_count; ++k)
+                std::memcpy(rows + sum_stride<N> * k,
+                            sums_.data() + sum_stride<N> * std::size_t{places[k]},
+                            sum_stride<N> * sizeof(double));
             Lanes words[4];
-            if constexpr (N == 2)
-                gatherPairs(bits, places, words);
-            else
-                gatherRecords<sum_stride<N>>(bits, places, words);
+            loadRecords<sum_stride<N>>(rows, words);
             for (int m = 0; m < N; ++m) set(m, reinterpret_cast<ExactLanes>(words[m]));
         }
         return sums;
