@@ -30,6 +30,12 @@ class Threads(Promise):
     def test_3d(self):
         self.same_for_all_threads("splash_3d", {"variables__spacing": 0.4 / 16, "loop__end_time": 0.2})
 
+    def test_stress_of_fluids(self):
+        for name in ("polymers_2d", "thinning_2d"):
+            with self.subTest(case=name):
+                self.folder = self.folder / name
+                self.same_for_all_threads(name, {"variables__spacing": 0.01, "loop__end_time": 0.02})
+
     def test_elastic(self):
         self.same_for_all_threads(
             "gate_2d", {"variables__refined": 3, "variables__spacing": 0.025, "loop__end_time": 0.15,

@@ -31,6 +31,16 @@ template <ViscousForm F, int Dim, class Number>
         return pair.gradient;
 }
 
+/// Viscosity of a pair: that of two halves of a layer one behind the other, of which the stress is the
+/// same. Where the viscosity jumps, the force is then that of a continuous stress, and of a thick
+/// and a thin fluid the thin one decides; Cleary & Monaghan 1999, doi:10.1006/jcph.1998.6118, for
+/// the conductivity. Zero where both are zero, as in empty slots.
+template <class Number>
+[[gnu::always_inline]] inline Number harmonicMean(Number a, Number b) {
+    return static_cast<ScalarOf<Number>>(2) * a * b /
+           larger<Number>(a + b, everywhere<Number>(1e-30));
+}
+
 /// By how much the velocity difference grows where it is continued linearly into a wall: from the
 /// fluid particle's distance to the surface to that plus the depth of the wall particle; Morris,
 /// Fox & Zhu 1997, (31)-(32), doi:10.1006/jcph.1997.5776. `n`: the wall's normal, `r`: distance of
