@@ -10,8 +10,8 @@
 namespace sphinx::materials {
 
 /// Every law of fluids. What the classes have in common: Fluid.
-using FluidLaws = LawList<LinearFluid, TaitFluid, PowerLawFluid, CarreauFluid,
-                          HerschelBulkleyFluid, OldroydBFluid>;
+using FluidLaws = LawList<LinearFluid, TaitFluid, PowerLawFluid, CarreauFluid, HerschelBulkleyFluid,
+                          OldroydBFluid>;
 
 ///     withLaw(fluid, [&](const auto& law) { ... law.pressure(rho) ... });
 template <class F>

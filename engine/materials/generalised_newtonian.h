@@ -30,8 +30,9 @@ struct PowerLawParameters {
     double regularisation_rate = 0;  ///< gamma_0, 1/time
 };
 
-/// Ostwald-de Waele: mu = k ((gamma^2 + gamma_0^2)/gamma_1^2)^((n - 1)/2). The power of gamma alone is
-/// infinite at rest for n < 1, and zero for n > 1; the stress is off by (n - 1)/2 (gamma_0/gamma)^2.
+/// Ostwald-de Waele: mu = k ((gamma^2 + gamma_0^2)/gamma_1^2)^((n - 1)/2). The power of gamma alone
+/// is infinite at rest for n < 1, and zero for n > 1; the stress is off by (n - 1)/2
+/// (gamma_0/gamma)^2.
 class PowerLawFluid final : public GeneralisedNewtonianFluid {
  public:
     explicit PowerLawFluid(const PowerLawParameters& p)

@@ -9,7 +9,8 @@
 
 namespace sphinx::materials {
 
-/// What fluids have in common of which the pressure is linear in the density: p = c0^2 (rho - rho0).
+/// What fluids have in common of which the pressure is linear in the density: p = c0^2 (rho -
+/// rho0).
 class LinearPressure : public Fluid {
  public:
     using Fluid::Fluid;

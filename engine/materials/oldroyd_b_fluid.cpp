@@ -11,8 +11,9 @@ void declareOldroydB(input::Registry& registry) {
     auto& d = declareFluidBase<P>(registry, "oldroyd_b_fluid");
     d.trait("viscoelastic");
     d.summary("Newtonian solvent with dissolved polymers, which stretch and relax (Oldroyd-B)");
-    d.formula("tau = 2 eta_s D + tau_p, lambda (dtau_p/dt - L tau_p - tau_p L^T) + tau_p = 2 eta_p D; "
-              "p = c0^2 (rho - rho0)");
+    d.formula(
+        "tau = 2 eta_s D + tau_p, lambda (dtau_p/dt - L tau_p - tau_p L^T) + tau_p = 2 eta_p D; "
+        "p = c0^2 (rho - rho0)");
     d.cite("guide", "(20)").cite("Oldroyd 1950");
     d.required("solvent_viscosity", &P::solvent_viscosity,
                input::number(unit::dynamic_viscosity).atLeast(0),

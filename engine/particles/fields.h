@@ -39,9 +39,9 @@ inline constexpr FieldInfo pressure{"pressure", Rank::scalar, unit::pressure, "p
 inline constexpr FieldInfo average_pressure{"average_pressure", Rank::scalar, unit::pressure,
                                             "pressure of a fluid, averaged over acoustic steps",
                                             initial_value::sameAs(pressure)};
-inline constexpr FieldInfo viscosity{
-    "viscosity", Rank::scalar, unit::dynamic_viscosity,
-    "viscosity of a generalised Newtonian fluid at its shear rate", initial_value::zero};
+inline constexpr FieldInfo viscosity{"viscosity", Rank::scalar, unit::dynamic_viscosity,
+                                     "viscosity of a generalised Newtonian fluid at its shear rate",
+                                     initial_value::zero};
 inline constexpr FieldInfo shear_rate{"shear_rate", Rank::scalar, unit::frequency,
                                       "shear rate sqrt(2 D:D) of a generalised Newtonian fluid",
                                       initial_value::zero};

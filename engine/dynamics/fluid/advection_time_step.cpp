@@ -39,8 +39,7 @@ double advectionCfl(kernels::KernelType kernel) {
 template <int Dim>
 double largestViscosity(const materials::GeneralisedNewtonianFluid& fluid, const Body<Dim>& body,
                         const Field<double>& viscosity, double rate) {
-    const double largest =
-        maxAll(body.size(), 0.0, [&](std::size_t i) { return viscosity[i]; });
+    const double largest = maxAll(body.size(), 0.0, [&](std::size_t i) { return viscosity[i]; });
     if (largest > 0) return largest;
     return materials::withViscosity(fluid, [&](const auto& law) {
         return std::max(law.viscosityAt(0), law.viscosityAt(rate));
@@ -88,7 +87,8 @@ void declareAdvectionTimeStep(input::Registry& registry) {
         "a lattice: about mu/rho times twice the sum of its weights, those of walls with 1/rho_s "
         "in "
         "place of 1/rho for the lightest elastic body that fsi.viscous_force pushes, where it is "
-        "lighter than the fluid; with polymers 2 / (lambda + 2/dt_e), dt_e their own limit, half of "
+        "lighter than the fluid; with polymers 2 / (lambda + 2/dt_e), dt_e their own limit, half "
+        "of "
         "the step in which a wave of their tension crosses the gradient of the kernel");
     d.cite("guide", "(52)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");

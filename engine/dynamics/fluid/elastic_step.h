@@ -39,8 +39,7 @@ double largestGradient(const Kernel<Dim>& kernel, double spacing) {
 
 template <int Dim>
 double largestTrace(const Body<Dim>& body, const Field<Mat<Dim>>& conformation) {
-    return maxAll(body.size(), double(Dim),
-                  [&](std::size_t i) { return conformation[i].trace(); });
+    return maxAll(body.size(), double(Dim), [&](std::size_t i) { return conformation[i].trace(); });
 }
 
 /// Half of the largest stable step. A wave of wave number k has the frequency omega, omega^2 =

@@ -8,14 +8,14 @@
 
 namespace sphinx::dynamics::fluid {
 
-/// Sums over a fluid's own pairs of which gradients are made: sum_j d_ij e_ij W' V_j, where d_ij is a
-/// difference of what j and i have, the same seen from both with the other sign.
+/// Sums over a fluid's own pairs of which gradients are made: sum_j d_ij e_ij W' V_j, where d_ij is
+/// a difference of what j and i have, the same seen from both with the other sign.
 template <int Dim>
 class GradientSums {
  public:
-    /// difference(i, j, pair): d_ij, of the size of 1, which is `unit`. Volumes in records are those
-    /// of a `cell`. Before the sums are stored, f(group, sum), also(i, sum) adds what else there is
-    /// for the particles `some`.
+    /// difference(i, j, pair): d_ij, of the size of 1, which is `unit`. Volumes in records are
+    /// those of a `cell`. Before the sums are stored, f(group, sum), also(i, sum) adds what else
+    /// there is for the particles `some`.
     template <class Real, class Difference, class Also, class Function>
     void find(const PairTiles<Dim>& tiles, const TileRecords<Dim>& records, std::size_t n,
               double cell, double unit, Difference&& difference, const std::vector<Index>& some,
@@ -43,8 +43,10 @@ class GradientSums {
                      Function&& f) {
         constexpr double places = 0x1p28;  // they differ by up to 2^29 units
         using Side = TileSide<Dim, Real>;
-        const auto apart = [axis](const Side&, const Side&, const TilePairs<Dim, Real>& pair)
-            -> TileOf<Real> { return static_cast<Real>(1 / places) * pair.gradient[axis]; };
+        const auto apart = [axis](const Side&, const Side&,
+                                  const TilePairs<Dim, Real>& pair) -> TileOf<Real> {
+            return static_cast<Real>(1 / places) * pair.gradient[axis];
+        };
         find<Real>(tiles, records, n, cell, places * tiles.placeUnit(), apart, some, also, f);
     }
 
@@ -55,8 +57,7 @@ class GradientSums {
 /// A row of matrices of a group of particles.
 template <int Dim>
 [[gnu::always_inline]] inline void storeRow(const VecOf<Dim, Wide>& row, int a,
-                                            AlignedVector<Mat<Dim>>& matrices,
-                                            const Group& group) {
+                                            AlignedVector<Mat<Dim>>& matrices, const Group& group) {
     for (std::size_t k = 0; k < group.count; ++k)
         for (int b = 0; b < Dim; ++b) matrices[group.first + k](a, b) = row[b][k];
 }
@@ -72,8 +73,8 @@ Mat<Dim> correctionOf(const Mat<Dim>& moment) {
     return symmetric.inverse();
 }
 
-/// Gradients of scalars of a fluid's particles over its own neighbors, B-corrected: what is continued
-/// linearly into a wall.
+/// Gradients of scalars of a fluid's particles over its own neighbors, B-corrected: what is
+/// continued linearly into a wall.
 template <int Dim>
 class OwnGradients {
  public:

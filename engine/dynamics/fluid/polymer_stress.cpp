@@ -24,12 +24,13 @@ namespace {
 /// (VelocityGradient) stretches and which relaxes (relaxedConformation() in terms/conformation.h).
 /// c is what is stepped, and not tau or log c: in a step it is deformed as the fluid is, by a
 /// congruence, which keeps it positive at any Weissenberg number without eigenvalues to take, and
-/// turns it where the fluid turns. (Log c, Fattal & Kupferman 2004, doi:10.1016/j.jnnfm.2004.08.008,
-/// is for grids, where c is advected by polynomials of place; a particle takes its c along.) In 2D
-/// the flow is plane: c_zz stays 1.
+/// turns it where the fluid turns. (Log c, Fattal & Kupferman 2004,
+/// doi:10.1016/j.jnnfm.2004.08.008, is for grids, where c is advected by polynomials of place; a
+/// particle takes its c along.) In 2D the flow is plane: c_zz stays 1.
 ///
-/// dv_i/dt = 1/m_i sum_j (tau_i B_i + tau_j B_j) . e_ij W' V_i V_j with the c of the end of the step:
-/// velocity and stress are stepped by turns, which without solvent and relaxation loses no energy.
+/// dv_i/dt = 1/m_i sum_j (tau_i B_i + tau_j B_j) . e_ij W' V_i V_j with the c of the end of the
+/// step: velocity and stress are stepped by turns, which without solvent and relaxation loses no
+/// energy.
 ///
 /// The particles of a wall have the stress of the fluid, continued linearly: for the pair of i with
 /// a wall particle j tau_j = tau_i + (r_j - r_i) . grad tau_i and B_j = B_i, the gradient over the
@@ -83,7 +84,7 @@ class PolymerStress final : public SolidLoad<Dim> {
 
     // Made of the state whenever that has changed.
     mutable std::uint64_t version_ = ~std::uint64_t{0};
-    mutable double largest_ = 0;  // number in corrected_
+    mutable double largest_ = 0;                 // number in corrected_
     mutable AlignedVector<Mat<Dim>> corrected_;  // tau_i B_i
     mutable std::vector<AtWall> at_wall_;        // zero where there is none
     mutable OwnGradients<Dim> gradients_;
@@ -130,8 +131,7 @@ void PolymerStress<Dim>::findStress() const {
     version_ = body_->version;
     const auto& correction = velocity_gradient_.correction();
     corrected_.resize(body_->size());
-    parallelFor(body_->size(),
-                [&](std::size_t i) { corrected_[i] = stress(i) * correction[i]; });
+    parallelFor(body_->size(), [&](std::size_t i) { corrected_[i] = stress(i) * correction[i]; });
     largest_ = maxAll(body_->size(), 0.0,
                       [&](std::size_t i) { return corrected_[i].cwiseAbs().maxCoeff(); });
     if (velocity_gradient_.around().walls().empty()) return;
@@ -146,8 +146,7 @@ void PolymerStress<Dim>::findGradients() const {
     gradients_.begin(velocity_gradient_.around().own(), body_->size(), volume_, cell_);
     for (int a = 0; a < Dim; ++a)
         for (int b = 0; b <= a; ++b) {
-            const auto& slope =
-                gradients_.find(largest_, [&](Index i) { return stress(i)(a, b); });
+            const auto& slope = gradients_.find(largest_, [&](Index i) { return stress(i)(a, b); });
             parallelFor(at_walls.size(), [&](std::size_t k) {
                 AtWall& at = at_wall_[at_walls[k]];
                 for (int c = 0; c < Dim; ++c)
@@ -306,7 +305,7 @@ void declarePolymerStress(input::Registry& registry) {
         .reads("neighbors.solid", {"normal", "depth", "volume"})
         .reads("neighbors.driven", {"velocity"})
         .reads("neighbors.responding", {"average_velocity"})
-        .writes("body", {"conformation", "fresh_viscous_load"})
+        .writes("body", {"conformation"})
         .accumulates("body", {"external_acceleration"});
 }
 

@@ -7,11 +7,11 @@
 namespace sphinx::dynamics::fluid {
 
 template <int Dim>
-void StressDivergence<Dim>::find(const PairTiles<Dim>& tiles,
-                                 const AlignedVector<Mat<Dim>>& stress,
+void StressDivergence<Dim>::find(const PairTiles<Dim>& tiles, const AlignedVector<Mat<Dim>>& stress,
                                  const Field<double>& volume, double spacing) {
     const std::size_t n = stress.size();
-    const double largest = maxAll(n, 0.0, [&](std::size_t i) { return stress[i].cwiseAbs().maxCoeff(); });
+    const double largest =
+        maxAll(n, 0.0, [&](std::size_t i) { return stress[i].cwiseAbs().maxCoeff(); });
     force_.assign(n, Vec<Dim>::Zero());
     if (!(largest > 0)) return;
     const double cell = std::pow(spacing, Dim);
@@ -41,12 +41,13 @@ void StressDivergence<Dim>::sum(const PairTiles<Dim>& tiles, const AlignedVector
                 on_i[0] = pair.weight * (i.V * j.V) * dot<Dim>(both, pair.gradient);
             });
         static const std::vector<Index> none;
-        sums_.forEach(tiles, stress.size(), largest * cell * cell * tiles.gradientUnit(), none,
-                      [](Index, std::array<double, 1>&) {},
-                      [&](const Group& group, const VecOf<1, Wide>& sum) {
-                          for (std::size_t k = 0; k < group.count; ++k)
-                              force_[group.first + k][a] = sum[0][k];
-                      });
+        sums_.forEach(
+            tiles, stress.size(), largest * cell * cell * tiles.gradientUnit(), none,
+            [](Index, std::array<double, 1>&) {},
+            [&](const Group& group, const VecOf<1, Wide>& sum) {
+                for (std::size_t k = 0; k < group.count; ++k)
+                    force_[group.first + k][a] = sum[0][k];
+            });
     }
 }
 

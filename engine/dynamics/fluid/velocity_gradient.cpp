@@ -83,11 +83,11 @@ void VelocityGradient<Dim>::sum() {
             [&](const Group& group, const VecOf<Dim, Wide>& row) {
                 storeRow(row, a, gradient_, group);
             });
-        sums_.template findMoments<Real>(
-            tiles, records_, n, cell, a, around_.atWalls(), addWall(correction_),
-            [&](const Group& group, const VecOf<Dim, Wide>& row) {
-                storeRow(row, a, correction_, group);
-            });
+        sums_.template findMoments<Real>(tiles, records_, n, cell, a, around_.atWalls(),
+                                         addWall(correction_),
+                                         [&](const Group& group, const VecOf<Dim, Wide>& row) {
+                                             storeRow(row, a, correction_, group);
+                                         });
     }
 }
 

@@ -13,8 +13,8 @@ namespace sphinx::dynamics::fluid {
 /// fields wherever the neighbors stand, also at walls and surfaces:
 ///   L_i = sum_j (v_j - v_i) (x) B_i e_ij W' V_j,   B_i = (sum_j (r_j - r_i) (x) e_ij W' V_j)^-1,
 /// guide (33) with the matrix of Randles & Libersky 1996, doi:10.1016/S0045-7825(96)01090-0, in
-/// place of the guide's one number, which is exact only where neighbors lie alike in all directions.
-/// A particle of a no-slip wall has the velocity that the viscous force gives it
+/// place of the guide's one number, which is exact only where neighbors lie alike in all
+/// directions. A particle of a no-slip wall has the velocity that the viscous force gives it
 /// (no_slip_pairs.h), so a shear flow along a wall is linear up to the last particle; walls that
 /// the fluid slips along are left out. Made in a method's constructor.
 ///

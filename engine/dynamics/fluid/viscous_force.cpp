@@ -92,9 +92,8 @@ class ViscousForce final : public SolidLoad<Dim> {
     /// the fluid and their gradients there: the wall's is the fluid's, continued linearly.
     static Lanes shareAtWall(const Pairs<Dim>& pair, Lanes r, Lanes fluidity,
                              const Lanes (&slope)[Dim]) {
-        const Lanes at_wall =
-            fluidity + r * pair.inverse_dW * dot<Dim>(slope, pair.gradient);
-        return 2 / (fluidity + larger<Lanes>(at_wall, lanes(1)));
+        const Lanes at_wall = fluidity + r * pair.inverse_dW * dot<Dim>(slope, pair.gradient);
+        return inverseSqrtLanes(fluidity * larger<Lanes>(at_wall, lanes(1)));
     }
     Lanes shareAtWall(const Pairs<Dim>& pair, Lanes r, std::size_t i) const {
         Lanes slope[Dim];
@@ -104,8 +103,9 @@ class ViscousForce final : public SolidLoad<Dim> {
 
     double nearest_;  // least distance of a fluid particle from a wall that is told apart
     ViscousForm form_;
-    double factor_;   // dynamic viscosity, the largest where it varies, times 2 L or 2 (d + 2)
-    double largest_;  // that sums over pairs may reach
+    double per_viscosity_;  // 2 L or 2 (d + 2)
+    double factor_;         // times the dynamic viscosity, the largest where it varies
+    double largest_;        // that sums over pairs may reach
     mutable std::optional<Varying> varying_;
     Surroundings<Dim> around_;
     TileRecords<Dim> records_;  // velocities in steps, volumes in those of a cell
@@ -121,9 +121,10 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, const ViscousForceParamet
     : SolidLoad<Dim>(context, bodyOf(context, p.body), LoadKind::viscous),
       nearest_(nearest_to_wall * body_->spacing),
       form_(p.form),
+      per_viscosity_(
+          2 * (p.form == ViscousForm::laplacian ? body_->kernel.laplacianFactor() : Dim + 2)),
       // What makes the sums forces.
-      factor_(2 * body_->fluid().material->viscosity() *
-              (p.form == ViscousForm::laplacian ? body_->kernel.laplacianFactor() : Dim + 2)),
+      factor_(body_->fluid().material->viscosity() * per_viscosity_),
       // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a
       // few 1/spacing^2.
       largest_(body_->fluid().material->soundSpeed() * std::pow(body_->spacing, Dim - 2)),
@@ -178,9 +179,8 @@ void ViscousForce<Dim>::findViscosity() {
             v.viscosity[i] = law.viscosityAt(rate);
         });
     });
-    const double before = v.largest;
     v.largest = maxAll(body_->size(), 0.0, [&](std::size_t i) { return v.viscosity[i]; });
-    factor_ *= v.largest / before;
+    factor_ = v.largest * per_viscosity_;
     findSlopes();
 }
 
@@ -235,7 +235,7 @@ void ViscousForce<Dim>::accelerate() {
             Tile v_ij[Dim];
             for (int c = 0; c < Dim; ++c) v_ij[c] = stepsBetween(i.v[c], j.v[c]);
             Tile V = (pair.weight * static_cast<Real>(places / steps)) * (i.V * j.V);
-            if constexpr (Varies) V = V * harmonicMean<Tile>(i.p, j.p);
+            if constexpr (Varies) V = V * geometricMean<Tile>(i.p, j.p);
             const Tile f = viscousFactor<F, Dim, Tile>(pair, v_ij, pair.dW, V);
             const auto& direction = viscousDirection<F, Dim, Tile>(pair, v_ij);
             for (int c = 0; c < Dim; ++c) on_i[c] = f * direction[c];
@@ -334,21 +334,20 @@ void ViscousForce<Dim>::addForces(const typename Surroundings<Dim>::Wall& wall,
         if (list.ranges[j].count == 0) return;
         ExactSums<Dim> sum(grid);
         const double V = (*wall.fields.volume)[j];
-        forEachFluidPair<Dim>(wall.fields, list, j, velocity_, volume_, nearest_,
-                              [&](const Pairs<Dim>& pair, const Lanes(&v_ji)[Dim], Lanes r,
-                                  Lanes V_i) {
-                                  Lanes weight = V * V_i;
-                                  if (varying_) {
-                                      Lanes slope[Dim];
-                                      gatherVectors<Dim>(varying_->slope.data(), pair.index, slope);
-                                      weight *= shareAtWall(
-                                          Pairs<Dim>{pair.reversed(), pair.index}, r,
-                                          varying_->largest / gatherLanes(varying_->viscosity.data(),
-                                                                          pair.index),
-                                          slope);
-                                  }
-                                  addPairs<F, Dim>(pair, v_ji, r, weight, sum);
-                              });
+        forEachFluidPair<Dim>(
+            wall.fields, list, j, velocity_, volume_, nearest_,
+            [&](const Pairs<Dim>& pair, const Lanes(&v_ji)[Dim], Lanes r, Lanes V_i) {
+                Lanes weight = V * V_i;
+                if (varying_) {
+                    Lanes slope[Dim];
+                    gatherVectors<Dim>(varying_->slope.data(), pair.index, slope);
+                    weight *= shareAtWall(
+                        Pairs<Dim>{pair.reversed(), pair.index}, r,
+                        varying_->largest / gatherLanes(varying_->viscosity.data(), pair.index),
+                        slope);
+                }
+                addPairs<F, Dim>(pair, v_ji, r, weight, sum);
+            });
         for (int c = 0; c < Dim; ++c) force[j][c] += unit * factor_ * sum[c].value();
     });
 }
@@ -388,11 +387,11 @@ void declareViscousForce(input::Registry& registry) {
     d.summary("Viscous force between fluid particles and from no-slip walls");
     d.formula(
         "laplacian: dv_i/dt = 2 mu L/m_i sum_j v_ij/r_ij W' V_i V_j; central, guide (35): "
-        "dv_i/dt = 2 (d+2) mu/m_i sum_j (v_ij . e_ij)/r_ij e_ij W' V_i V_j; where mu depends on the "
-        "shear rate sqrt(2 D:D), the pair has 2 mu_i mu_j/(mu_i + mu_j), and the laplacian gets "
+        "dv_i/dt = 2 (d+2) mu/m_i sum_j (v_ij . e_ij)/r_ij e_ij W' V_i V_j; where mu depends on "
+        "the "
+        "shear rate sqrt(2 D:D), the pair has sqrt(mu_i mu_j), and the laplacian gets "
         "1/m_i sum_j (T_i + T_j) . e_ij W' V_i V_j, T = mu (L^T - tr L), B-corrected");
     d.cite("guide", "(35)").cite("Morris, Fox & Zhu 1997", "(laplacian; velocity inside walls)");
-    d.cite("Cleary & Monaghan 1999", "(viscosity of a pair)");
     d.required("body", &P::body, input::bodyReference({"fluid"}),
                "fluid; its material gives the viscosity");
     d.optional("wall", &P::wall,

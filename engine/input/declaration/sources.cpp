@@ -9,10 +9,11 @@ namespace sphinx::input {
 
 std::span<const Publication> publications() {
     static constexpr std::array all{
-        Publication{"Adami, Hu & Adams 2013",
-                    "S. Adami, X. Y. Hu, N. A. Adams, A transport-velocity formulation for smoothed "
-                    "particle hydrodynamics, J. Comput. Phys. 241, 292-307, 2013",
-                    "10.1016/j.jcp.2013.01.043"},
+        Publication{
+            "Adami, Hu & Adams 2013",
+            "S. Adami, X. Y. Hu, N. A. Adams, A transport-velocity formulation for smoothed "
+            "particle hydrodynamics, J. Comput. Phys. 241, 292-307, 2013",
+            "10.1016/j.jcp.2013.01.043"},
         Publication{"Bird, Armstrong & Hassager 1987",
                     "R. B. Bird, R. C. Armstrong, O. Hassager, Dynamics of polymeric liquids, "
                     "volume 1: fluid mechanics, 2nd edition, Wiley, 1987",
@@ -26,10 +27,6 @@ std::span<const Publication> publications() {
                     "P. J. Carreau, Rheological equations from molecular network theories, Trans. "
                     "Soc. Rheol. 16, 99-127, 1972",
                     "10.1122/1.549276"},
-        Publication{"Cleary & Monaghan 1999",
-                    "P. W. Cleary, J. J. Monaghan, Conduction modelling using smoothed particle "
-                    "hydrodynamics, J. Comput. Phys. 148, 227-264, 1999",
-                    "10.1006/jcph.1998.6118"},
         Publication{"Holzapfel & Ogden 2009",
                     "G. A. Holzapfel, R. W. Ogden, Constitutive modelling of passive myocardium: a "
                     "structurally based framework for material characterization, Phil. Trans. R. "

@@ -65,15 +65,13 @@ TEMPLATE_TEST_CASE_SIG("the velocity gradient of a linear field is exact", "", (
     scene.relations.update({&water});
     found.find();
     // At the surface as well.
-    for (std::size_t i = 0; i < water.size(); ++i)
-        CHECK((found.gradient()[i] - L).norm() < 1e-4);
+    for (std::size_t i = 0; i < water.size(); ++i) CHECK((found.gradient()[i] - L).norm() < 1e-4);
 }
 
 TEST_CASE("at a wall the velocity gradient is that of the flow along it") {
     Scene<2> scene;
     Body<2>& water = scene.fluid("water", scene.box({0, 0}, {1.2, 0.6}));
-    Body<2>& wall =
-        scene.wall("wall", scene.box({-0.4, -0.4}, {1.6, 0}), Face{1, 0, 1});
+    Body<2>& wall = scene.wall("wall", scene.box({-0.4, -0.4}, {1.6, 0}), Face{1, 0, 1});
     water.sees = {&water, &wall};
     const Vec<2> moving(0.3, 0);
     give(wall, fields::velocity, [&](const Vec<2>&) -> Vec<2> { return moving; });
@@ -84,8 +82,7 @@ TEST_CASE("at a wall the velocity gradient is that of the flow along it") {
     found.find();
     Mat<2> L = Mat<2>::Zero();
     L(0, 1) = 2;
-    for (std::size_t i = 0; i < water.size(); ++i)
-        CHECK((found.gradient()[i] - L).norm() < 1e-3);
+    for (std::size_t i = 0; i < water.size(); ++i) CHECK((found.gradient()[i] - L).norm() < 1e-3);
 }
 
 TEST_CASE("a lone particle has no velocity gradient") {
@@ -110,13 +107,14 @@ TEST_CASE("where the viscosity varies the force is div(2 mu D), not div(mu grad 
     std::vector<Vec<2>> points;
     for (int j = 0; j <= 24; ++j)
         for (int i = 0; i <= 24; ++i) points.push_back(Vec<2>(1 + fine * i, 0.5 + fine * j));
-    Body<2>& water = makeFluid<2>(
-        scene,
-        std::make_shared<materials::PowerLawFluid>(
-            materials::PowerLawParameters{density, sound_speed, k, n, 1, 1e-6}),
-        points);
-    give(water, fields::velocity,
-         [](const Vec<2>& x) -> Vec<2> { return {x[1] * x[1], x[0] * x[0]}; });
+    Body<2>& water =
+        makeFluid<2>(scene,
+                     std::make_shared<materials::PowerLawFluid>(
+                         materials::PowerLawParameters{density, sound_speed, k, n, 1, 1e-6}),
+                     points);
+    give(water, fields::velocity, [](const Vec<2>& x) -> Vec<2> {
+        return {x[1] * x[1], x[0] * x[0]};
+    });
     const auto force = scene.method("type: fluid.viscous_force, body: water");
     scene.relations.update({&water});
     force.run({});
@@ -136,19 +134,17 @@ TEST_CASE("where the viscosity varies the force is div(2 mu D), not div(mu grad 
 TEST_CASE("the step follows the largest viscosity that is there") {
     Scene<2> scene;
     const double k = 40;
-    Body<2>& water = makeFluid<2>(
-        scene,
-        std::make_shared<materials::PowerLawFluid>(
-            materials::PowerLawParameters{density, sound_speed, k, 1.5, 1, 1e-6}),
-        scene.lattice(12));
+    Body<2>& water =
+        makeFluid<2>(scene,
+                     std::make_shared<materials::PowerLawFluid>(
+                         materials::PowerLawParameters{density, sound_speed, k, 1.5, 1, 1e-6}),
+                     scene.lattice(12));
     const auto force = scene.method("type: fluid.viscous_force, body: water");
     force->announce();
     const auto step = scene.timeStep(
         "type: fluid.advection_time_step, body: water, reference_speed: 0.01, cfl: 0.1");
     const double h = water.kernel.smoothingLength();
-    const auto limit = [&](double rate) {
-        return 0.1 * h * h * density / (k * std::sqrt(rate));
-    };
+    const auto limit = [&](double rate) { return 0.1 * h * h * density / (k * std::sqrt(rate)); };
     // Before the force has acted: at a shear of the reference speed over h.
     CHECK(step->estimate() == Approx(limit(0.01 / h)).epsilon(1e-6));
     give(water, fields::velocity, [](const Vec<2>& x) -> Vec<2> { return {1e-3 * x[1], 0}; });
@@ -157,8 +153,8 @@ TEST_CASE("the step follows the largest viscosity that is there") {
     CHECK(step->estimate() == Approx(limit(1e-3)).epsilon(1e-3));
 }
 
-TEMPLATE_TEST_CASE_SIG("polymers turn with a fluid that turns, at any step", "", ((int Dim), Dim), 2,
-                       3) {
+TEMPLATE_TEST_CASE_SIG("polymers turn with a fluid that turns, at any step", "", ((int Dim), Dim),
+                       2, 3) {
     const Mat<Dim> F = Mat<Dim>::Identity() + 0.3 * someMatrix<Dim>();
     Mat<Dim> c = F * F.transpose();
     const Mat<Dim> before = c;
@@ -233,8 +229,7 @@ TEMPLATE_TEST_CASE_SIG("a drop with polymers that turns feels nothing, and no fo
     Scene<Dim> scene;
     Body<Dim>& water = makeFluid<Dim>(scene, someOldroydB(), scene.lattice(8, 0.2));
     const auto polymers = scene.method("type: fluid.polymer_stress, body: water");
-    give(water, fields::velocity,
-         [](const Vec<Dim>& x) -> Vec<Dim> { return spin<Dim>(3) * x; });
+    give(water, fields::velocity, [](const Vec<Dim>& x) -> Vec<Dim> { return spin<Dim>(3) * x; });
     scene.relations.update({&water});
     Clock clock;
     clock.dt = 0.1;

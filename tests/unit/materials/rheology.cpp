@@ -39,8 +39,8 @@ TEST_CASE("Herschel-Bulkley by hand") {
     const double least = 0.0225;
     CHECK(fluid.viscosityAt(0) == Approx(3 / least + 2 / std::sqrt(least)).epsilon(1e-9));
     // One e-fold from rest.
-    CHECK(fluid.viscosityAt(least) == Approx(3 / least * (1 - std::exp(-1.0)) +
-                                             2 / std::sqrt(std::sqrt(2.0) * least)));
+    CHECK(fluid.viscosityAt(least) ==
+          Approx(3 / least * (1 - std::exp(-1.0)) + 2 / std::sqrt(std::sqrt(2.0) * least)));
     HerschelBulkleyParameters coarse = p;
     coarse.regularisation_rate = 1;
     CHECK(HerschelBulkleyFluid(coarse).viscosityAt(0) == Approx(3 + 2).epsilon(1e-9));
