@@ -263,10 +263,10 @@ TEST_CASE("a wall gets what the fluid feels of its polymers, and a linear stress
     water.sees = {&water, &wall};
     wall.sees = {&water};
     const auto polymers = scene.method("type: fluid.polymer_stress, body: water");
-    // tau_xy = modulus y: its force is the modulus, in the row beside the wall as well.
+    // tau_xy = modulus (y + 1/2): its force is the modulus, in the row beside the wall as well.
     auto& c = water.particles.matrix(fields::conformation);
     for (std::size_t i = 0; i < water.size(); ++i)
-        c[i](0, 1) = c[i](1, 0) = water.particles.position()[i][1];
+        c[i](0, 1) = c[i](1, 0) = 0.5 + water.particles.position()[i][1];
     const auto& to_water = scene.relations.flow(wall, water, {.distance = true});
     scene.relations.update({&water, &wall});
     Clock clock;
