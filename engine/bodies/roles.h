@@ -22,7 +22,8 @@ struct BodyPart;
 // works on a body asks it for the role that it needs (Body::fluid() and others) and gets the
 // material and what only bodies of that role know.
 
-/// What the viscous forces on a fluid do at most, as they have announced.
+/// What the viscous forces on a fluid do at most, as they have announced, at the viscosity that the
+/// material has at rest.
 struct ViscousRates {
     double whole = 0;  ///< dynamic viscosity by area: its largest eigenvalue times mu
     double walls = 0;  ///< what solids have in it

@@ -21,6 +21,8 @@ class Fluid : public Material {
 
     double density() const override { return density_; }
     double soundSpeed() const { return sound_speed_; }
+    /// That of a Newtonian fluid; of a generalised Newtonian one at rest, of one with polymers that
+    /// of the solvent.
     double viscosity() const { return viscosity_; }
 
  private:

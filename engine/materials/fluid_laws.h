@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "materials/generalised_newtonian.h"
 #include "materials/law_list.h"
+#include "materials/oldroyd_b_fluid.h"
 #include "materials/weakly_compressible_fluid.h"
 
 namespace sphinx::materials {
 
 /// Every law of fluids. What the classes have in common: Fluid.
-using FluidLaws = LawList<LinearFluid, TaitFluid>;
+using FluidLaws = LawList<LinearFluid, TaitFluid, PowerLawFluid, CarreauFluid, HerschelBulkleyFluid,
+                          OldroydBFluid>;
 
 ///     withLaw(fluid, [&](const auto& law) { ... law.pressure(rho) ... });
 template <class F>

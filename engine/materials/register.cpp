@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "materials/register.h"
 
+#include "materials/generalised_newtonian.h"
+#include "materials/oldroyd_b_fluid.h"
 #include "materials/weakly_compressible_fluid.h"
 
 #include <optional>
@@ -30,6 +32,8 @@ void declareRigid(input::Registry& registry) {
 void registerMaterials(input::Registry& registry) {
     declareRigid(registry);
     declareWeaklyCompressibleFluid(registry);
+    declareGeneralisedNewtonian(registry);
+    declareOldroydB(registry);
     registerElasticSolids(registry);
 }
 

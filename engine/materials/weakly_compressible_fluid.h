@@ -4,7 +4,7 @@
 
 #include "core/wide.h"
 #include "input/declaration/registry.h"
-#include "materials/fluid.h"
+#include "materials/linear_pressure.h"
 
 #include <cmath>
 #include <memory>
@@ -23,20 +23,9 @@ struct WeaklyCompressibleFluidParameters {
 };
 
 /// p = c0^2 (rho - rho0), guide below (19).
-class LinearFluid final : public Fluid {
+class LinearFluid final : public LinearPressure {
  public:
-    using Fluid::Fluid;
-
-    double pressure(double rho) const { return c2_ * (rho - density()); }
-    Wide pressure(Wide rho) const { return c2_ * (rho - density()); }
-    double densityAt(double p) const { return density() + p / c2_; }
-    double internalEnergy(double rho) const {
-        const double x = rho / density();
-        return c2_ * (std::log(x) + 1 / x - 1);
-    }
-
- private:
-    double c2_ = soundSpeed() * soundSpeed();
+    using LinearPressure::LinearPressure;
 };
 
 /// p = rho0 c0^2 / gamma ((rho/rho0)^gamma - 1), Monaghan 1994, doi:10.1006/jcph.1994.1034.

@@ -70,6 +70,7 @@ void ForceSource<Dim>::sample(const Clock&, std::span<double> row) {
         };
         add(dynamics::fluid::LoadKind::pressure, pressure);
         add(dynamics::fluid::LoadKind::viscous, viscous);
+        add(dynamics::fluid::LoadKind::polymer, viscous);
     }
     const auto fill = [&](const auto& a, const auto& b) {
         const int n = static_cast<int>(a.size());

@@ -39,6 +39,16 @@ inline constexpr FieldInfo pressure{"pressure", Rank::scalar, unit::pressure, "p
 inline constexpr FieldInfo average_pressure{"average_pressure", Rank::scalar, unit::pressure,
                                             "pressure of a fluid, averaged over acoustic steps",
                                             initial_value::sameAs(pressure)};
+inline constexpr FieldInfo viscosity{"viscosity", Rank::scalar, unit::dynamic_viscosity,
+                                     "viscosity of a generalised Newtonian fluid at its shear rate",
+                                     initial_value::zero};
+inline constexpr FieldInfo shear_rate{"shear_rate", Rank::scalar, unit::frequency,
+                                      "shear rate sqrt(2 D:D) of a generalised Newtonian fluid",
+                                      initial_value::zero};
+inline constexpr FieldInfo conformation{
+    "conformation", Rank::matrix, unit::none,
+    "conformation c of the polymers in a fluid, 1 at rest: their stress is eta_p (c - 1)/lambda",
+    initial_value::identity};
 inline constexpr FieldInfo acceleration{"acceleration", Rank::vector, unit::acceleration,
                                         "acceleration of a solid particle", initial_value::zero};
 inline constexpr FieldInfo external_acceleration{

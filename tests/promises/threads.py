@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """1, 2 and 7 threads give the same bits, at every restart of a run."""
 
+import shutil
 import unittest
 
 from support import Promise, Restart, restarts
@@ -29,6 +30,13 @@ class Threads(Promise):
 
     def test_3d(self):
         self.same_for_all_threads("splash_3d", {"variables__spacing": 0.4 / 16, "loop__end_time": 0.2})
+
+    def test_stress_of_fluids(self):
+        for name in ("polymers_2d", "thinning_2d"):
+            with self.subTest(case=name):
+                self.same_for_all_threads(name, {"variables__spacing": 0.01, "loop__end_time": 0.02})
+                for threads in (1, 2, 7):
+                    shutil.rmtree(self.folder / str(threads))
 
     def test_elastic(self):
         self.same_for_all_threads(

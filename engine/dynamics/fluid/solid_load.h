@@ -12,7 +12,8 @@
 
 namespace sphinx::dynamics::fluid {
 
-enum class LoadKind { pressure, viscous };
+/// `polymer`: counted as viscous by whoever asks for the force on a solid.
+enum class LoadKind { pressure, viscous, polymer };
 
 /// A method by which a fluid and the solids that it sees push each other: says how large the force
 /// is, without acting. What the solid gets is what the method takes from the fluid, by the same

@@ -4,20 +4,23 @@
 
 #include "core/exact_sum.h"
 #include "core/sum_all.h"
-#include "dynamics/fluid/largest.h"
+#include "dynamics/fluid/no_slip_pairs.h"
 #include "dynamics/fluid/solid_load.h"
+#include "dynamics/fluid/stress_divergence.h"
 #include "dynamics/fluid/surroundings.h"
+#include "dynamics/fluid/velocity_gradient.h"
+#include "dynamics/fluid/velocity_steps.h"
 #include "dynamics/fluid/viscous_bound.h"
 #include "dynamics/methods.h"
 #include "dynamics/pair_loop.h"
 #include "dynamics/tile_loop.h"
-#include "materials/fluid.h"
+#include "materials/generalised_newtonian.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <optional>
 
 namespace sphinx::dynamics::fluid {
 namespace {
@@ -28,45 +31,6 @@ decltype(auto) withForm(ViscousForm form, F&& f) {
     return f.template operator()<ViscousForm::central>();
 }
 
-/// term(pair, v_ij, r, V_j) for the wall particles j near a fluid particle i of velocity v: with
-/// the velocity difference continued into the wall.
-template <int Dim, class Term>
-inline void forEachWallPair(const WallFields<Dim>& wall, const NeighborList<Dim>& list,
-                            std::size_t i, const Vec<Dim>& v, double nearest, Term&& term) {
-    Distances<Dim> distances(list, i);
-    forEachPair(list, i, [&](const Pairs<Dim>& pair) {
-        const Lanes r = distances.next();
-        Lanes v_ij[Dim];
-        Lanes n[Dim];
-        gatherVectors<Dim>(wall.velocity->data(), pair.index, v_ij);
-        gatherVectors<Dim>(wall.normal->data(), pair.index, n);
-        const Lanes depth = gatherLanes(wall.depth->data(), pair.index);
-        const Lanes continued = continuation<Dim, Lanes>(pair, r, n, depth, nearest);
-        for (int c = 0; c < Dim; ++c) v_ij[c] = continued * (v[c] - v_ij[c]);
-        term(pair, v_ij, r, gatherLanes(wall.volume->data(), pair.index));
-    });
-}
-
-/// The same for the fluid particles i near one wall particle j: term(pair, v_ji, r, V_i).
-template <int Dim, class Term>
-inline void forEachFluidPair(const WallFields<Dim>& wall, const NeighborList<Dim>& list,
-                             std::size_t j, const Field<Vec<Dim>>& velocity,
-                             const Field<double>& volume, double nearest, Term&& term) {
-    Distances<Dim> distances(list, j);
-    const Vec<Dim> vw = (*wall.velocity)[j];
-    Lanes n[Dim];
-    for (int c = 0; c < Dim; ++c) n[c] = lanes((*wall.normal)[j][c]);
-    const Lanes depth = lanes((*wall.depth)[j]);
-    forEachPair(list, j, [&](const Pairs<Dim>& pair) {
-        const Lanes r = distances.next();
-        const Lanes continued = continuation<Dim, Lanes>(pair, r, n, depth, nearest);
-        Lanes v_ji[Dim];
-        gatherVectors<Dim>(velocity.data(), pair.index, v_ji);
-        for (int c = 0; c < Dim; ++c) v_ji[c] = continued * (vw[c] - v_ji[c]);
-        term(pair, v_ji, r, gatherLanes(volume.data(), pair.index));
-    });
-}
-
 /// Adds the term of eight pairs, in the list's gradient unit.
 template <ViscousForm F, int Dim>
 inline void addPairs(const Pairs<Dim>& pair, const Lanes (&v_ij)[Dim], Lanes r, Lanes V,
@@ -74,15 +38,6 @@ inline void addPairs(const Pairs<Dim>& pair, const Lanes (&v_ij)[Dim], Lanes r, 
     const Lanes f = viscousFactor<F, Dim, Lanes>(pair, v_ij, r, V);
     const auto& direction = viscousDirection<F, Dim, Lanes>(pair, v_ij);
     for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, direction[c]);
-}
-
-/// Difference of velocities that are whole numbers of a step.
-[[gnu::always_inline]] inline FloatTile stepsBetween(FloatTile i, FloatTile j) {
-    return toFloat(reinterpret_cast<WholeTile>(i) - reinterpret_cast<WholeTile>(j));
-}
-/// Of doubles, which need no steps.
-[[gnu::always_inline]] inline DoubleTile stepsBetween(const DoubleTile& i, const DoubleTile& j) {
-    return i - j;
 }
 
 template <int Dim>
@@ -100,8 +55,14 @@ class ViscousForce final : public SolidLoad<Dim> {
  private:
     using SolidLoad<Dim>::body_;
 
-    template <ViscousForm F, class Real>
+    template <ViscousForm F, bool Varies, class Real>
     void accelerate();
+    /// Of a generalised Newtonian fluid.
+    void findViscosity();
+    /// How its fluidity goes on at walls.
+    void findSlopes() const;
+    /// What the laplacian lacks where the viscosity varies.
+    void addTransposedStress();
     template <ViscousForm F>
     Load<Dim> loadOn(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
                      const Vec<Dim>& about) const;
@@ -109,10 +70,43 @@ class ViscousForce final : public SolidLoad<Dim> {
     void addForces(const typename Surroundings<Dim>::Wall& wall, const NeighborList<Dim>& list,
                    Field<Vec<Dim>>& force) const;
 
+    /// Of a generalised Newtonian fluid: its law, and what it has found.
+    struct Varying {
+        const materials::GeneralisedNewtonianFluid* law;
+        VelocityGradient<Dim> velocity_gradient;
+        StressDivergence<Dim> transposed;
+        Field<double>& viscosity;
+        Field<double>& shear_rate;
+        double largest = 0;
+        AlignedVector<Mat<Dim>> stress = {};
+        OwnGradients<Dim> gradients = {};
+        /// Gradient of the fluidity largest/viscosity, empty where there are no walls.
+        AlignedVector<Vec<Dim>> slope = {};
+        std::uint64_t version = 0;  // of the particles, when it was found
+    };
+    /// The viscosity of particle i by that in factor_.
+    double share(std::size_t i) const {
+        return varying_ ? varying_->viscosity[i] / varying_->largest : 1;
+    }
+    /// The same of eight pairs of a fluid particle with particles of a wall, from the fluidities of
+    /// the fluid and their gradients there: the wall's is the fluid's, continued linearly.
+    static Lanes shareAtWall(const Pairs<Dim>& pair, Lanes r, Lanes fluidity,
+                             const Lanes (&slope)[Dim]) {
+        const Lanes at_wall = fluidity + r * pair.inverse_dW * dot<Dim>(slope, pair.gradient);
+        return inverseSqrtLanes(fluidity * larger<Lanes>(at_wall, lanes(1)));
+    }
+    Lanes shareAtWall(const Pairs<Dim>& pair, Lanes r, std::size_t i) const {
+        Lanes slope[Dim];
+        for (int c = 0; c < Dim; ++c) slope[c] = lanes(varying_->slope[i][c]);
+        return shareAtWall(pair, r, lanes(1 / share(i)), slope);
+    }
+
     double nearest_;  // least distance of a fluid particle from a wall that is told apart
     ViscousForm form_;
-    double factor_;   // dynamic viscosity times 2 L or 2 (d + 2)
-    double largest_;  // that sums over pairs may reach
+    double per_viscosity_;  // 2 L or 2 (d + 2)
+    double factor_;         // times the dynamic viscosity, the largest where it varies
+    double largest_;        // that sums over pairs may reach
+    mutable std::optional<Varying> varying_;
     Surroundings<Dim> around_;
     TileRecords<Dim> records_;  // velocities in steps, volumes in those of a cell
     TileSums<Dim, Dim> sums_;
@@ -125,11 +119,12 @@ class ViscousForce final : public SolidLoad<Dim> {
 template <int Dim>
 ViscousForce<Dim>::ViscousForce(Context<Dim>& context, const ViscousForceParameters& p)
     : SolidLoad<Dim>(context, bodyOf(context, p.body), LoadKind::viscous),
-      nearest_(0.25 * body_->spacing),
+      nearest_(nearest_to_wall * body_->spacing),
       form_(p.form),
+      per_viscosity_(
+          2 * (p.form == ViscousForm::laplacian ? body_->kernel.laplacianFactor() : Dim + 2)),
       // What makes the sums forces.
-      factor_(2 * body_->fluid().material->viscosity() *
-              (p.form == ViscousForm::laplacian ? body_->kernel.laplacianFactor() : Dim + 2)),
+      factor_(body_->fluid().material->viscosity() * per_viscosity_),
       // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a
       // few 1/spacing^2.
       largest_(body_->fluid().material->soundSpeed() * std::pow(body_->spacing, Dim - 2)),
@@ -138,7 +133,13 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, const ViscousForceParamet
       velocity_(body_->particles.vector(fields::velocity)),
       external_(body_->particles.vector(fields::external_acceleration)),
       mass_(body_->particles.scalar(fields::mass)),
-      volume_(body_->particles.scalar(fields::volume)) {}
+      volume_(body_->particles.scalar(fields::volume)) {
+    if (const auto* law = materials::asGeneralisedNewtonian(*body_->fluid().material))
+        varying_.emplace(
+            Varying{law, VelocityGradient<Dim>(context, *body_, p.wall == WallSlip::no_slip),
+                    StressDivergence<Dim>(), body_->particles.scalar(fields::viscosity),
+                    body_->particles.scalar(fields::shear_rate), law->viscosity()});
+}
 
 template <int Dim>
 void ViscousForce<Dim>::announce() {
@@ -153,33 +154,75 @@ void ViscousForce<Dim>::announce() {
 template <int Dim>
 void ViscousForce<Dim>::run(const Clock& clock) {
     this->actedAt(clock.time);
+    if (varying_) findViscosity();
     withForm(form_, [&]<ViscousForm F>() {
-        withPrecision(around_.own().precision(), [&]<class Real>() { accelerate<F, Real>(); });
+        withPrecision(around_.own().precision(), [&]<class Real>() {
+            if (varying_)
+                accelerate<F, true, Real>();
+            else
+                accelerate<F, false, Real>();
+        });
     });
+    if (varying_ && form_ == ViscousForm::laplacian) addTransposedStress();
 }
 
 template <int Dim>
-template <ViscousForm F, class Real>
+void ViscousForce<Dim>::findViscosity() {
+    Varying& v = *varying_;
+    v.velocity_gradient.find();
+    materials::withViscosity(*v.law, [&](const auto& law) {
+        parallelFor(body_->size(), [&](std::size_t i) {
+            const Mat<Dim>& L = v.velocity_gradient.gradient()[i];
+            // 2 D:D, D = (L + L^T)/2.
+            const double rate = std::sqrt(0.5 * (L + L.transpose()).squaredNorm());
+            v.shear_rate[i] = rate;
+            v.viscosity[i] = law.viscosityAt(rate);
+        });
+    });
+    v.largest = maxAll(body_->size(), 0.0, [&](std::size_t i) { return v.viscosity[i]; });
+    factor_ = v.largest * per_viscosity_;
+    findSlopes();
+}
+
+template <int Dim>
+void ViscousForce<Dim>::findSlopes() const {
+    Varying& v = *varying_;
+    if (around_.walls().empty()) return;
+    const double cell = std::pow(body_->spacing, Dim);
+    const double largest = maxAll(body_->size(), 0.0, [&](std::size_t i) { return 1 / share(i); });
+    v.gradients.begin(around_.own(), body_->size(), volume_, cell);
+    v.slope = v.gradients.find(largest, [&](Index i) { return 1 / share(i); });
+    v.version = body_->version;
+}
+
+template <int Dim>
+void ViscousForce<Dim>::addTransposedStress() {
+    Varying& v = *varying_;
+    v.stress.resize(body_->size());
+    parallelFor(body_->size(), [&](std::size_t i) {
+        const Mat<Dim>& L = v.velocity_gradient.gradient()[i];
+        const Mat<Dim> transposed = L.transpose() - L.trace() * Mat<Dim>::Identity();
+        v.stress[i] = v.viscosity[i] * transposed * v.velocity_gradient.correction()[i];
+    });
+    v.transposed.find(around_.own(), v.stress, volume_, body_->spacing);
+    parallelFor(body_->size(),
+                [&](std::size_t i) { external_[i] += v.transposed.force()[i] / mass_[i]; });
+}
+
+template <int Dim>
+template <ViscousForm F, bool Varies, class Real>
 void ViscousForce<Dim>::accelerate() {
     const PairTiles<Dim>& tiles = around_.own();
     using Side = TileSide<Dim, Real>;
     using Tile = TileOf<Real>;
     const double cell = std::pow(body_->spacing, Dim);
-    // Floats are whole numbers of a step: so their differences, of which viscosity lives, are
-    // exact.
-    const double fastest = std::sqrt(largestSquaredSpeed<Dim>(*body_));
-    const double speed = fastest > 0 ? fastest : body_->fluid().material->soundSpeed();
-    constexpr double steps = 0x1p29;  // differences are below 2^31
-    const auto stepsOf = [&](double v) -> Real {
-        const double exact = v * (steps / speed);
-        if constexpr (std::is_same_v<Real, double>)
-            return exact;
-        else
-            return std::bit_cast<float>(static_cast<std::int32_t>(std::nearbyint(exact)));
-    };
+    const VelocitySteps velocity_steps(*body_);
+    constexpr double steps = VelocitySteps::steps;
+    const double speed = velocity_steps.speed();
     records_.follow(tiles);
     records_.template fill<Real>(tiles, [&](TileRecord<Dim, Real>& record, Index i) {
-        for (int c = 0; c < Dim; ++c) record.v[c] = stepsOf(velocity_[i][c]);
+        for (int c = 0; c < Dim; ++c) record.v[c] = velocity_steps.of<Real>(velocity_[i][c]);
+        if constexpr (Varies) record.p = static_cast<Real>(share(i));
         record.V = static_cast<Real>(volume_[i] / cell);
     });
     // The weight is abs(W')/r, where sums are made for abs(W'): r is about 2^28 places. Forces are
@@ -191,7 +234,8 @@ void ViscousForce<Dim>::accelerate() {
            Tile(&)[Dim]) {
             Tile v_ij[Dim];
             for (int c = 0; c < Dim; ++c) v_ij[c] = stepsBetween(i.v[c], j.v[c]);
-            const Tile V = (pair.weight * static_cast<Real>(places / steps)) * (i.V * j.V);
+            Tile V = (pair.weight * static_cast<Real>(places / steps)) * (i.V * j.V);
+            if constexpr (Varies) V = V * geometricMean<Tile>(i.p, j.p);
             const Tile f = viscousFactor<F, Dim, Tile>(pair, v_ij, pair.dW, V);
             const auto& direction = viscousDirection<F, Dim, Tile>(pair, v_ij);
             for (int c = 0; c < Dim; ++c) on_i[c] = f * direction[c];
@@ -204,7 +248,9 @@ void ViscousForce<Dim>::accelerate() {
             forEachWallPair<Dim>(
                 wall.fields, list, i, velocity_[i], nearest_,
                 [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
-                    addPairs<F, Dim>(pair, v_ij, r, volume_[i] * V_j, sum);
+                    Lanes V = volume_[i] * V_j;
+                    if constexpr (Varies) V *= shareAtWall(pair, r, i);
+                    addPairs<F, Dim>(pair, v_ij, r, V, sum);
                 });
             for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
         }
@@ -222,6 +268,11 @@ Load<Dim> ViscousForce<Dim>::loadOn(const Body<Dim>& solid, const NeighborList<D
                                     const Vec<Dim>& about) const {
     const auto* wall = around_.wall(solid);
     if (!wall) return {};
+    if (varying_) {
+        if (!(maxAll(body_->size(), 0.0, [&](std::size_t i) { return share(i); }) > 0)) return {};
+        if (varying_->version != body_->version || varying_->slope.size() != body_->size())
+            findSlopes();
+    }
     return withForm(form_, [&]<ViscousForm F>() { return loadOn<F>(*wall, list, about); });
 }
 
@@ -244,7 +295,9 @@ Load<Dim> ViscousForce<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall
         forEachWallPair<Dim>(
             wall.fields, list, i, velocity_[i], nearest_,
             [&](const Pairs<Dim>& pair, const Lanes(&v_ij)[Dim], Lanes r, Lanes V_j) {
-                const Lanes f = viscousFactor<F, Dim, Lanes>(pair, v_ij, r, volume_[i] * V_j);
+                Lanes V = volume_[i] * V_j;
+                if (varying_) V *= shareAtWall(pair, r, i);
+                const Lanes f = viscousFactor<F, Dim, Lanes>(pair, v_ij, r, V);
                 const auto& direction = viscousDirection<F, Dim, Lanes>(pair, v_ij);
                 Vector d, e;
                 for (int c = 0; c < Dim; ++c) {
@@ -281,9 +334,20 @@ void ViscousForce<Dim>::addForces(const typename Surroundings<Dim>::Wall& wall,
         if (list.ranges[j].count == 0) return;
         ExactSums<Dim> sum(grid);
         const double V = (*wall.fields.volume)[j];
-        forEachFluidPair<Dim>(wall.fields, list, j, velocity_, volume_, nearest_,
-                              [&](const Pairs<Dim>& pair, const Lanes(&v_ji)[Dim], Lanes r,
-                                  Lanes V_i) { addPairs<F, Dim>(pair, v_ji, r, V * V_i, sum); });
+        forEachFluidPair<Dim>(
+            wall.fields, list, j, velocity_, volume_, nearest_,
+            [&](const Pairs<Dim>& pair, const Lanes(&v_ji)[Dim], Lanes r, Lanes V_i) {
+                Lanes weight = V * V_i;
+                if (varying_) {
+                    Lanes slope[Dim];
+                    gatherVectors<Dim>(varying_->slope.data(), pair.index, slope);
+                    weight *= shareAtWall(
+                        Pairs<Dim>{pair.reversed(), pair.index}, r,
+                        varying_->largest / gatherLanes(varying_->viscosity.data(), pair.index),
+                        slope);
+                }
+                addPairs<F, Dim>(pair, v_ji, r, weight, sum);
+            });
         for (int c = 0; c < Dim; ++c) force[j][c] += unit * factor_ * sum[c].value();
     });
 }
@@ -323,7 +387,10 @@ void declareViscousForce(input::Registry& registry) {
     d.summary("Viscous force between fluid particles and from no-slip walls");
     d.formula(
         "laplacian: dv_i/dt = 2 mu L/m_i sum_j v_ij/r_ij W' V_i V_j; central, guide (35): "
-        "dv_i/dt = 2 (d+2) mu/m_i sum_j (v_ij . e_ij)/r_ij e_ij W' V_i V_j");
+        "dv_i/dt = 2 (d+2) mu/m_i sum_j (v_ij . e_ij)/r_ij e_ij W' V_i V_j; where mu depends on "
+        "the "
+        "shear rate sqrt(2 D:D), the pair has sqrt(mu_i mu_j), and the laplacian gets "
+        "1/m_i sum_j (T_i + T_j) . e_ij W' V_i V_j, T = mu (L^T - tr L), B-corrected");
     d.cite("guide", "(35)").cite("Morris, Fox & Zhu 1997", "(laplacian; velocity inside walls)");
     d.required("body", &P::body, input::bodyReference({"fluid"}),
                "fluid; its material gives the viscosity");
@@ -350,6 +417,7 @@ void declareViscousForce(input::Registry& registry) {
         .reads("neighbors.driven", {"velocity"})
         .reads("neighbors.responding", {"average_velocity"})
         .writes("body", {"fresh_viscous_load"})
+        .writes("body.generalised_newtonian", {"viscosity", "shear_rate"})
         .accumulates("body", {"external_acceleration"});
 }
 

@@ -38,6 +38,10 @@ class FluidForce final : public Method {
         if (density > 0) lightest = std::min(lightest, density);  // rigid ones may state none
     }
     void run(const Clock&) {
+        if (kind == fluid::LoadKind::viscous)
+            if (const auto* load =
+                    fluid::presentLoad(context_->loads, *fluid_, fluid::LoadKind::polymer))
+                load->addForces(*solid_, relation_->list, force_);
         const auto* load = fluid::presentLoad(context_->loads, *fluid_, kind);
         if (!load) return;
         load->addForces(*solid_, relation_->list, force_);

@@ -9,15 +9,24 @@ namespace sphinx::input {
 
 std::span<const Publication> publications() {
     static constexpr std::array all{
-        Publication{"Adami, Hu & Adams 2013",
-                    "S. Adami, X. Y. Hu, N. A. Adams, A transport-velocity formulation for "
-                    "smoothed particle hydrodynamics, J. Comput. Phys. 241, 292-307, 2013",
-                    "10.1016/j.jcp.2013.01.043"},
+        Publication{
+            "Adami, Hu & Adams 2013",
+            "S. Adami, X. Y. Hu, N. A. Adams, A transport-velocity formulation for smoothed "
+            "particle hydrodynamics, J. Comput. Phys. 241, 292-307, 2013",
+            "10.1016/j.jcp.2013.01.043"},
+        Publication{"Bird, Armstrong & Hassager 1987",
+                    "R. B. Bird, R. C. Armstrong, O. Hassager, Dynamics of polymeric liquids, "
+                    "volume 1: fluid mechanics, 2nd edition, Wiley, 1987",
+                    ""},
         Publication{"Bonet & Lok 1999",
                     "J. Bonet, T.-S. L. Lok, Variational and momentum preservation aspects of "
                     "smooth particle hydrodynamic formulations, Comput. Methods Appl. Mech. Eng. "
                     "180, 97-115, 1999",
                     "10.1016/S0045-7825(99)00051-1"},
+        Publication{"Carreau 1972",
+                    "P. J. Carreau, Rheological equations from molecular network theories, Trans. "
+                    "Soc. Rheol. 16, 99-127, 1972",
+                    "10.1122/1.549276"},
         Publication{"Holzapfel & Ogden 2009",
                     "G. A. Holzapfel, R. W. Ogden, Constitutive modelling of passive myocardium: a "
                     "structurally based framework for material characterization, Phil. Trans. R. "
@@ -43,6 +52,14 @@ std::span<const Publication> publications() {
                     "J. P. Morris, P. J. Fox, Y. Zhu, Modeling low Reynolds number incompressible "
                     "flows using SPH, J. Comput. Phys. 136, 214-226, 1997",
                     "10.1006/jcph.1997.5776"},
+        Publication{"Oldroyd 1950",
+                    "J. G. Oldroyd, On the formulation of rheological equations of state, Proc. R. "
+                    "Soc. Lond. A 200, 523-541, 1950",
+                    "10.1098/rspa.1950.0035"},
+        Publication{"Papanastasiou 1987",
+                    "T. C. Papanastasiou, Flows of materials with yield, J. Rheol. 31, 385-404, "
+                    "1987",
+                    "10.1122/1.549926"},
         Publication{"Randles & Libersky 1996",
                     "P. W. Randles, L. D. Libersky, Smoothed particle hydrodynamics: some recent "
                     "improvements and applications, Comput. Methods Appl. Mech. Eng. 139, 375-408, "
