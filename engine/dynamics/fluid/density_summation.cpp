@@ -84,8 +84,7 @@ template <int Dim>
     Wide value = rho + correction * (right - rho);
     value = select(support_.isCutOff(group), max(rho, sum), value);
     value = select(~at_solid & (was_slack | lacks), max(rho, rho0), value);
-    const LaneMask alone = ~at_solid & ~(load(support_.self().kernelSums(), group) > 0);
-    store(select(alone, rho0, value), density_, group);
+    store(select(support_.isAlone(group), rho0, value), density_, group);
 }
 
 }  // namespace
