@@ -11,6 +11,7 @@ cylinder. Means over 0.1 < t < 0.2, in which the fluid moves half a radius.
 import numpy as np
 
 import checks
+from voids import grid, largest_hole
 
 EXACT = 30.30
 VISCOSITY = 4.0
@@ -22,28 +23,17 @@ MEAN_LIMIT = 2e-3
 VOID_LIMIT = 1.2  # spacings; the hole in a square of a lattice has 0.71
 
 
-def largest_hole(position, spacing):
-    """Distance from its nearest particle of the point of the fluid that is farthest from any, in spacings."""
-    grid = (np.arange(200) + 0.5) / 200
-    points = np.stack(np.meshgrid(grid, grid), -1).reshape(-1, 2)
-    points = points[np.hypot(*(points - 0.5).T) > 0.2 + 0.5 * spacing]
-    worst = 0.0
-    for chunk in np.array_split(points, 40):
-        d = np.abs(chunk[:, None] - position[None, :, :2])
-        d = np.minimum(d, 1 - d)
-        worst = max(worst, np.sqrt((d**2).sum(-1).min(1).max()))
-    return worst / spacing
-
-
 def measure(cells):
     run = checks.Run("cylinder_array_2d/case.yaml", f"variables.spacing={1 / cells!r}")
     drag, drive, momentum = run.series("drag"), run.series("drive"), run.series("momentum")
     late = drag["time"] > 0.1
     force, given = drag["force_x"][late], drive["applied_x"][late].mean()
     *_, (_, fields) = run.frames("fluid")
+    points = grid(200)
+    points = points[np.hypot(*(points - 0.5).T) > 0.2 + 0.5 / cells]
     return {"force": given / (1 - CYLINDER) / VISCOSITY, "balance": force.mean() / given - 1,
             "noise": force.std() / force.mean(), "flow": momentum["momentum_x"][-1] - 1,
-            "hole": largest_hole(fields["position"], 1 / cells)}
+            "hole": largest_hole(points, fields["position"]) * cells}
 
 
 def study():

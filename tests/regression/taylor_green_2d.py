@@ -5,6 +5,7 @@
 import numpy as np
 
 import checks
+from voids import grid, largest_hole
 
 CASE = "taylor_green_2d"
 VISCOSITY = 0.01
@@ -15,24 +16,13 @@ RATE_LIMIT = {50: 0.06, 100: 0.03}
 VOID_LIMIT = 1.2  # spacings; the hole in a square of a lattice has 0.71
 
 
-def largest_hole(position, cells):
-    grid = (np.arange(2 * cells) + 0.5) / (2 * cells)
-    points = np.stack(np.meshgrid(grid, grid), -1).reshape(-1, 2)
-    worst = 0.0
-    for chunk in np.array_split(points, max(1, len(points) * len(position) // 4_000_000)):
-        d = np.abs(chunk[:, None] - position[None, :, :2])
-        d = np.minimum(d, 1 - d)
-        worst = max(worst, np.sqrt((d**2).sum(-1).min(1).max()))
-    return worst * cells
-
-
 def measure(cells, *settings):
     run = checks.Run(f"{CASE}/case.yaml", f"variables.spacing={1 / cells!r}", "outputs.fields.every={time: 1}", *settings)
     energy = run.series("energy")
     t, k = energy["time"], energy["kinetic"]
     while_decaying = (t > 0.2) & (t <= 1)
     rate = -np.polyfit(t[while_decaying], np.log(k[while_decaying]), 1)[0]
-    hole = max(largest_hole(fields["position"], cells) for _, fields in run.frames("fluid"))
+    hole = max(largest_hole(grid(2 * cells), fields["position"]) * cells for _, fields in run.frames("fluid"))
     return {"t": t, "part": k / (0.25 * np.exp(-RATE * t)), "rate": rate / RATE - 1, "hole": hole}
 
 

@@ -38,7 +38,9 @@ class TransportVelocity final : public Method {
     void run(const Clock&) {
         withPrecision(around_.own().precision(), [&]<class Real>() {
             findShift<Real>();
-            for (int c = 0; c < Dim; ++c) carry<Real>(c);
+            Mean<Dim> mean;
+            mean.add(velocity_, body_->size());
+            for (int c = 0; c < Dim; ++c) carry<Real>(c, mean.value()[c]);
         });
         parallelForGroups(body_->size(), [&](const Group& group) {
             store(VecOf<Dim, Wide>(load(position_, group) + load(shift_.data(), group)), position_,
@@ -51,9 +53,9 @@ class TransportVelocity final : public Method {
  private:
     template <class Real>
     void findShift();
-    /// Of a component of the momentum.
+    /// Of a component of the momentum, relative to the mean of that of the velocity.
     template <class Real>
-    void carry(int component);
+    void carry(int component, double mean);
     /// sum_j e_ij W' V_j over the solids.
     Vec<Dim> solidGradient(Index i) const;
 
@@ -68,6 +70,7 @@ class TransportVelocity final : public Method {
     // Filled anew in every call. Records have shifts in spacings in the place of velocities, and a
     // component of the momentum per volume, in rho0 c0, in that of the pressure.
     AlignedVector<Vec<Dim>> shift_;
+    AlignedVector<Vec<Dim>> at_solids_;  // solidGradient(), of the particles at solids
     TileRecords<Dim> records_;
     TileSums<Dim, Dim> gradients_;
     TileSums<Dim, 1> momenta_;
@@ -98,6 +101,7 @@ void TransportVelocity<Dim>::findShift() {
     const std::size_t n = body_->size();
     if (support_) support_->findSurface(n);
     shift_.resize(n);
+    at_solids_.resize(n);
     records_.follow(tiles);
     parallelForGroups(n, [&](const Group& group) {
         const Wide V = 1 / cell_ * load(volume_, group);
@@ -115,8 +119,8 @@ void TransportVelocity<Dim>::findShift() {
             }
         });
     const auto addSolids = [&](Index i, std::array<double, Dim>& gradient) {
-        const Vec<Dim> of_solids = solidGradient(i);
-        for (int c = 0; c < Dim; ++c) gradient[c] += of_solids[c];
+        at_solids_[i] = solidGradient(i);
+        for (int c = 0; c < Dim; ++c) gradient[c] += at_solids_[i][c];
     };
     const double factor = -shift_factor * body_->spacing * body_->spacing;
     gradients_.forEach(tiles, n, cell_ * tiles.gradientUnit(), around_.atWalls(), addSolids,
@@ -133,14 +137,11 @@ void TransportVelocity<Dim>::findShift() {
 
 template <int Dim>
 template <class Real>
-void TransportVelocity<Dim>::carry(int component) {
+void TransportVelocity<Dim>::carry(int component, double mean) {
     const PairTiles<Dim>& tiles = around_.own();
     using Side = TileSide<Dim, Real>;
     using Tile = TileOf<Real>;
     const std::size_t n = body_->size();
-    Mean<Dim> velocity;
-    velocity.add(velocity_, n);
-    const double mean = velocity.value()[component];
     const auto momentum = [&](const Group& group) -> Wide {
         return load(mass_, group) / load(volume_, group) *
                (load(velocity_, group)[component] - mean);
@@ -162,7 +163,7 @@ void TransportVelocity<Dim>::carry(int component) {
     const auto addSolids = [&](Index i, std::array<double, 1>& sum) {
         const double rho = mass_[i] / volume_[i];
         sum[0] +=
-            rho * (velocity_[i][component] - mean) * volume_[i] * shift_[i].dot(solidGradient(i));
+            rho * (velocity_[i][component] - mean) * volume_[i] * shift_[i].dot(at_solids_[i]);
     };
     const double unit = rho0_ * c0_ * body_->spacing * cell_ * cell_ * tiles.gradientUnit();
     momenta_.forEach(tiles, n, unit, around_.atWalls(), addSolids,
