@@ -26,7 +26,9 @@ PROFILE_LIMIT = 0.015
 LARGEST_ENERGY_LIMIT = 1e-4
 LAST_ENERGY_LIMIT = 7e-5
 WEIGHT_LIMIT = 0.0015
-# Of the weight of the displaced water. Measured 1.7 % at 1/25, 0.8 % at 1/50 (README.md).
+# Of the weight of the displaced water. Measured 2.1 % at 1/25, 0.8 % at 1/50 (README.md). What stands around five
+# tips differs from one fitted arrangement to the next: mean, and root of the mean square, of three.
+ARRANGEMENTS = (0.039, 0.04, 0.041)
 LIFT_LIMIT = 0.03
 SIDEWAYS_LIMIT = 0.015
 
@@ -112,7 +114,9 @@ def plot():
 
 def main():
     checks.arguments(study=study, plot=plot)
-    found = measure(0.04)
+    several = {spacing: measure(spacing) for spacing in ARRANGEMENTS}
+    found = several[0.04]
+    lift, sideways = (np.array([one[name] for one in several.values()]) for name in ("lift", "sideways"))
     report = checks.Report()
     for body, error in row_errors(found["run"], 0.04).items():
         report.check(f"row at the surface of the {body}, off half a spacing, spacings", error, 0, ROW_LIMIT)
@@ -121,8 +125,8 @@ def main():
     report.check("kinetic energy / (weight H) at the end", found["energy at the end"], 0, LAST_ENERGY_LIMIT)
     report.check("the same, largest over time", found["largest energy"], 0, LARGEST_ENERGY_LIMIT)
     report.check("force on tank and star less the weight, of the weight", found["weight"], -WEIGHT_LIMIT, WEIGHT_LIMIT)
-    report.check("lift of the star less Archimedes', of that", found["lift"], -LIFT_LIMIT, LIFT_LIMIT)
-    report.check("force on the star sideways, of that", found["sideways"], -SIDEWAYS_LIMIT, SIDEWAYS_LIMIT)
+    report.check("lift of the star less Archimedes', of that", lift.mean(), -LIFT_LIMIT, LIFT_LIMIT)
+    report.check("force on the star sideways, of that, rms", np.sqrt(np.mean(sideways**2)), 0, SIDEWAYS_LIMIT)
     report.end()
 
 

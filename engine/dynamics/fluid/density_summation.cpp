@@ -82,7 +82,9 @@ template <int Dim>
     const Wide right =
         select(at_solid & (sum < rho0), select(rho < sum, sum, select(rho > rho0, rho0, rho)), sum);
     Wide value = rho + correction * (right - rho);
-    value = select(support_.isCutOff(group), max(rho, sum), value);
+    // Up to rho0 there is no pressure yet: what is said of a gap costs no work.
+    const Wide upwards = max(select(sum < rho0, sum, rho0), rho + correction * (sum - rho));
+    value = select(support_.isCutOff(group), max(rho, upwards), value);
     value = select(~at_solid & (was_slack | lacks), max(rho, rho0), value);
     const LaneMask alone = ~at_solid & ~(load(support_.self().kernelSums(), group) > 0);
     store(select(alone, rho0, value), density_, group);
@@ -96,7 +98,8 @@ void declareDensitySummation(input::Registry& registry) {
     d.summary("Density from the sum of the kernel over the neighbors");
     d.formula(
         "free: rho += (1 - exp(-dt/tau)) (m/V0 S/S0 - rho), tau = 250 spacing/c0, where no surface "
-        "cuts off a part of S, else guide (54): max(rho, m/V0 S/S0), and no tension without "
+        "cuts off a part of S, else upwards only, guide (54), up to rho0 at once and above it with "
+        "the same tau, and no tension without "
         "support or at solids; (55) confined: rho(start) S/S0");
     d.cite("guide", "(54), (55)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");

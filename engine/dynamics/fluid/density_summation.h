@@ -20,7 +20,8 @@ inline auto surfaceWords() {
 ///   confined: rho_i = rho_i(start) S_i/S0, guide (55), so that an initial pressure is kept
 ///   free:     with the sum rho_S = m_i/V0 S_i/S0, V0 the volume of a cell of the lattice,
 ///             drho_i/dt = (rho_S - rho_i)/tau inside, by its solution over the step of its layer,
-///             rho_i = max(rho_i, rho_S), guide (54), elsewhere
+///             elsewhere upwards only, guide (54): at least min(rho_S, rho0) at once, where no
+///             pressure follows, above rho0 with the same tau
 /// Inside is where no neighbor lacks support: no surface cuts off a part of the sum. A particle has
 /// support if S_i is nearer to S0 than that of the outermost row of a flat surface.
 ///
@@ -28,7 +29,8 @@ inline auto surfaceWords() {
 /// back, most of all where a gap opens at a wall, and water at rest swells by 0.3 spacings in
 /// 10 sqrt(H/g). The whole difference at once is no better: the Riemann problems take the noise out
 /// of the density and the sum puts it back in each step; that feeds motion, and the kinetic energy
-/// of water at rest is five times that with tau.
+/// of water at rest is five times that with tau. And where a splash falls together, or water runs
+/// along an edge of its tank, max(rho, rho_S) is a pressure from nothing, which does work.
 ///
 /// tau = 250 dp/c0, dp the spacing. The Riemann problems spread density with D = c0 <r>
 /// (Dim+1)/2Dim, <r> the mean distance under the kernel: D = 0.65 c0 dp in 2D, 0.73 in 3D. Up to
