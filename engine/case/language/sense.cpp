@@ -142,10 +142,10 @@ class SenseCheck {
         };
         if (seen.as == model::SeenAs::contact) return wantSolids("contact is between solids");
         if (name == body.text) return;
-        if (one == BodyKind::fluid && other == BodyKind::fluid)
+        if (one == BodyKind::fluid && other == BodyKind::fluid && !sees(name, body.text))
             diagnostics_.error(seen.body.place,
-                               fmt::format("{} and {} are both fluids, which do not act on each "
-                                           "other: make them one body",
+                               fmt::format("{0} sees {1}, but {1} does not see {0}: fluids push "
+                                           "each other, so the topology of {1} needs {0}",
                                            body.text, name));
         if (one == BodyKind::solid && other == BodyKind::solid && seen.as == model::SeenAs::flow)
             diagnostics_.error(seen.body.place,
@@ -157,15 +157,14 @@ class SenseCheck {
     /// Methods act on what topology lets a body see.
     void checkSight(const Component& method) {
         const std::string& type = method.declaration->name();
-        const std::vector<Name> bodies = method.references("body");
-        if (bodies.size() != 1) return;
-        const Name& body = bodies.front();
-        const bool sums = method.declaration->hasTrait("sums_over_itself");
-        if (sums && !sees(body.text, "self") && !sees(body.text, body.text))
-            diagnostics_.error(body.place,
-                               fmt::format("{} sums over the particles of {} itself: its "
-                                           "topology lacks 'self'",
-                                           type, body.text));
+        if (!method.declaration->hasTrait("sums_over_itself")) return;
+        for (const char* parameter : {"body", "bodies"})
+            for (const Name& body : method.references(parameter))
+                if (!sees(body.text, "self") && !sees(body.text, body.text))
+                    diagnostics_.error(body.place,
+                                       fmt::format("{} sums over the particles of {} itself: its "
+                                                   "topology lacks 'self'",
+                                                   type, body.text));
     }
     bool sees(const std::string& body, const std::string& other) const {
         for (const auto& [name, sees] : block_.topology)

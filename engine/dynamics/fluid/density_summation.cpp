@@ -86,8 +86,7 @@ template <int Dim>
     const Wide upwards = max(select(sum < rho0, sum, rho0), rho + correction * (sum - rho));
     value = select(support_.isCutOff(group), max(rho, upwards), value);
     value = select(~at_solid & (was_slack | lacks), max(rho, rho0), value);
-    const LaneMask alone = ~at_solid & ~(load(support_.self().kernelSums(), group) > 0);
-    store(select(alone, rho0, value), density_, group);
+    store(select(support_.isAlone(group), rho0, value), density_, group);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 #include "core/number.h"
+#include "dynamics/fluid/liquid_pairs.h"
 #include "dynamics/fluid/mean.h"
 #include "dynamics/fluid/pair_state.h"
 #include "dynamics/fluid/solid_load.h"
@@ -11,6 +12,12 @@
 #include "dynamics/methods.h"
 #include "dynamics/tile_loop.h"
 #include "materials/fluid_laws.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
 
 namespace sphinx::dynamics::fluid {
 namespace {
@@ -37,15 +44,27 @@ namespace {
 ///
 /// Where the fluid is slack (fields::slack) it has the pressure and the volume of max(rho, rho0),
 /// and a wall's p* is not negative: nothing pulls it.
+///
+/// Fluids that see each other are stepped by one method (`bodies`), so that each sum finds all of
+/// them at the same instant: both halves go phase by phase, each for all fluids in turn. Their
+/// pairs have terms of their own (terms/interface.h).
 struct PressureRelaxationParameters {
-    input::Name body;
+    std::optional<input::Name> body;
+    std::vector<input::Name> bodies;
     Riemann riemann = Riemann::low_dissipation;
 };
 
+std::vector<input::Name> bodiesOf(const PressureRelaxationParameters& p) {
+    return p.body ? std::vector{*p.body} : p.bodies;
+}
+
+/// The step of one fluid, phase by phase.
 template <int Dim>
-class PressureRelaxation final : public SolidLoad<Dim> {
+class FluidStep final : public SolidLoad<Dim> {
  public:
-    PressureRelaxation(Context<Dim>& context, const PressureRelaxationParameters& p);
+    FluidStep(Context<Dim>& context, const input::Name& body, Riemann riemann);
+    /// The step of a fluid that may be one of those which this one sees.
+    void meet(const FluidStep& other);
 
     Load<Dim> loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
                      const Vec<Dim>& about) const override;
@@ -58,12 +77,24 @@ class PressureRelaxation final : public SolidLoad<Dim> {
         archive.value("last_dt", last_dt_);
     }
 
-    void firstHalf(const Clock& clock);
-    void secondHalf(const Clock& clock);
+    // The first half, then the second.
+    void predict(const Clock& clock);
+    void kick(const Clock& clock);
+    void answerSolids(const Clock& clock);
+    void compress(const Clock& clock);
 
  private:
     using SolidLoad<Dim>::body_;
 
+    /// Another liquid that this one sees.
+    struct Neighbor {
+        const Relation<Dim>* relation;
+        const FluidStep* step;
+        Interface interface;
+    };
+
+    /// What the momentum sum has read.
+    bool isReadLater() const { return loads_solids_ || !liquids_.empty(); }
     template <class Real>
     void predict(double dt);
     template <class Real>
@@ -81,6 +112,9 @@ class PressureRelaxation final : public SolidLoad<Dim> {
                      const Vec<Dim>& about) const;
     /// Of the sums over each wall, in the unit of its list.
     std::vector<SumGrid> wallGrids(double largest) const;
+    template <Riemann R>
+    void addLiquidForce(const Neighbor& liquid, Index i, std::array<double, Dim>& force) const;
+    double liquidClosing(const Neighbor& liquid, Index i) const;
     template <Riemann R>
     void addWallForce(const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i,
                       std::array<double, Dim>& force) const;
@@ -106,6 +140,7 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     Vec<Dim> mean_velocity_ = Vec<Dim>::Zero();  // in records it is taken off, which saves digits
     double interval_start_ = nan_value;
     mutable Surroundings<Dim> around_;  // looks at walls anew for a load
+    std::vector<Neighbor> liquids_;
 
     Field<Vec<Dim>>& position_;
     Field<Vec<Dim>>& velocity_;
@@ -124,17 +159,17 @@ class PressureRelaxation final : public SolidLoad<Dim> {
     TileRecords<Dim> records_;
     TileSums<Dim, Dim> forces_;
     TileSums<Dim, 1> rates_;
-    // What the momentum sum has read, for solids that get what the fluid has felt.
+    // What the momentum sum has read, for other liquids, which meet it at the same instant, and for
+    // solids that get what the fluid has felt.
     AlignedVector<PairState<Dim>> before_;
 };
 
 template <int Dim>
-PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context,
-                                            const PressureRelaxationParameters& p)
-    : SolidLoad<Dim>(context, bodyOf(context, p.body), LoadKind::pressure),
+FluidStep<Dim>::FluidStep(Context<Dim>& context, const input::Name& body, Riemann riemann)
+    : SolidLoad<Dim>(context, bodyOf(context, body), LoadKind::pressure),
       domain_(&context.world.domain),
       fluid_(body_->fluid().material.get()),
-      riemann_(p.riemann),
+      riemann_(riemann),
       constants_{fluid_->density(), fluid_->soundSpeed()},
       // Weakly compressible: pressures stay below a tenth of rho0 c0^2 and speeds below one of c0;
       // sum_j abs(W') V_j is about 1/spacing.
@@ -158,39 +193,53 @@ PressureRelaxation<Dim>::PressureRelaxation(Context<Dim>& context,
 }
 
 template <int Dim>
-void PressureRelaxation<Dim>::firstHalf(const Clock& clock) {
+void FluidStep<Dim>::meet(const FluidStep& other) {
+    for (const auto& liquid : around_.liquids())
+        if (liquid.body == other.body_)
+            liquids_.push_back(
+                {liquid.relation, &other, interfaceOf(constants_, other.constants_)});
+}
+
+template <int Dim>
+void FluidStep<Dim>::predict(const Clock& clock) {
     this->actedAt(clock.time);
-    const double dt = clock.dt;
     records_.follow(around_.own());
     around_.look();
-    if (loads_solids_) before_.resize(body_->held());
+    if (isReadLater()) before_.resize(body_->held());
     if (clock.interval_start != interval_start_) {
         interval_start_ = clock.interval_start;
         findMeans();
     }
+    withPrecision(around_.own().precision(), [&]<class Real>() { predict<Real>(clock.dt); });
+}
+
+template <int Dim>
+void FluidStep<Dim>::kick(const Clock& clock) {
     withPrecision(around_.own().precision(), [&]<class Real>() {
-        predict<Real>(dt);
-        withRiemann(riemann_, [&]<Riemann R>() { momentum<R, Real>(dt); });
+        withRiemann(riemann_, [&]<Riemann R>() { momentum<R, Real>(clock.dt); });
     });
     ++body_->version;
 }
 
 template <int Dim>
-void PressureRelaxation<Dim>::secondHalf(const Clock& clock) {
+void FluidStep<Dim>::answerSolids(const Clock& clock) {
     this->actedAt(clock.time);
-    const double dt = clock.dt;
-    last_dt_ = dt;
+    last_dt_ = clock.dt;
     around_.look();
+    withPrecision(around_.own().precision(), [&]<class Real>() { addSlipImpulses<Real>(); });
+}
+
+template <int Dim>
+void FluidStep<Dim>::compress(const Clock& clock) {
     withPrecision(around_.own().precision(), [&]<class Real>() {
-        addSlipImpulses<Real>();
-        withRiemann(riemann_, [&]<Riemann R>() { continuity<R, Real>(dt); });
+        withRiemann(riemann_, [&]<Riemann R>() { continuity<R, Real>(clock.dt); });
     });
     ++body_->version;
 }
 
 template <int Dim>
 template <class Real>
-void PressureRelaxation<Dim>::predict(double dt) {
+void FluidStep<Dim>::predict(double dt) {
     const double half = 0.5 * dt;
     // A copy of the law: for all that the compiler knows, its constants could change in the loop.
     materials::withLaw(*fluid_, [&](const auto& law) {
@@ -207,7 +256,7 @@ void PressureRelaxation<Dim>::predict(double dt) {
         });
     });
     records_.template updateCopies<Real>(around_.own());
-    if (!loads_solids_) return;
+    if (!isReadLater()) return;
     parallelFor(body_->size(), [&](std::size_t i) {
         PairState<Dim>& state = before_[i];
         for (int c = 0; c < Dim; ++c) state.v[c] = velocity_[i][c];
@@ -219,7 +268,7 @@ void PressureRelaxation<Dim>::predict(double dt) {
 /// What the sums read of a group.
 template <int Dim>
 template <class Real>
-[[gnu::always_inline]] inline void PressureRelaxation<Dim>::record(const Group& group,
+[[gnu::always_inline]] inline void FluidStep<Dim>::record(const Group& group,
                                                                    const VecOf<Dim, Wide>& v,
                                                                    Wide p, Wide V) {
     const double per_c0 = 1 / constants_.c0;
@@ -231,7 +280,7 @@ template <class Real>
 }
 
 template <int Dim>
-void PressureRelaxation<Dim>::findMeans() {
+void FluidStep<Dim>::findMeans() {
     Mean<Dim> velocity, external, walls;
     velocity.add(velocity_, body_->size());
     mean_velocity_ = velocity.value();
@@ -245,7 +294,7 @@ void PressureRelaxation<Dim>::findMeans() {
 }
 
 template <int Dim>
-std::vector<SumGrid> PressureRelaxation<Dim>::wallGrids(double largest) const {
+std::vector<SumGrid> FluidStep<Dim>::wallGrids(double largest) const {
     std::vector<SumGrid> grids;
     for (const auto& wall : around_.walls())
         grids.emplace_back(largest / wall.list().gradient_unit);
@@ -257,7 +306,7 @@ constexpr RiemannConstants of_one{1, 1};
 
 template <int Dim>
 template <Riemann R, class Real>
-void PressureRelaxation<Dim>::momentum(double dt) {
+void FluidStep<Dim>::momentum(double dt) {
     const PairTiles<Dim>& tiles = around_.own();
     using Side = TileSide<Dim, Real>;
     using Tile = TileOf<Real>;
@@ -274,11 +323,12 @@ void PressureRelaxation<Dim>::momentum(double dt) {
     const double pressure_unit = constants_.rho0 * constants_.c0 * constants_.c0;
     const double unit = pressure_unit * cell_ * cell_ * tiles.gradientUnit();
     const std::vector<SumGrid> grids = wallGrids(largest_force_);
-    const auto addWalls = [&](Index i, std::array<double, Dim>& force) {
+    const auto addOthers = [&](Index i, std::array<double, Dim>& force) {
         for (std::size_t w = 0; w < grids.size(); ++w)
             addWallForce<R>(around_.walls()[w], grids[w], i, force);
+        for (const Neighbor& liquid : liquids_) addLiquidForce<R>(liquid, i, force);
     };
-    forces_.forEach(tiles, body_->size(), unit, around_.atWalls(), addWalls,
+    forces_.forEach(tiles, body_->size(), unit, around_.atOthers(), addOthers,
                     [&](const Group& group, const VecOf<Dim, Wide>& force) {
                         const Wide factor = -dt / load(mass_, group);
                         VecOf<Dim, Wide> v = load(velocity_, group);
@@ -296,7 +346,7 @@ void PressureRelaxation<Dim>::momentum(double dt) {
 /// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the particles of a wall.
 template <int Dim>
 template <Riemann R>
-[[gnu::noinline]] void PressureRelaxation<Dim>::addWallForce(
+[[gnu::noinline]] void FluidStep<Dim>::addWallForce(
     const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i,
     std::array<double, Dim>& force) const {
     const NeighborList<Dim>& list = wall.list();
@@ -308,8 +358,22 @@ template <Riemann R>
     for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
 }
 
+/// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the particles of another liquid.
 template <int Dim>
-Vec<Dim> PressureRelaxation<Dim>::slipImpulse(const WallFields<Dim>& fields,
+template <Riemann R>
+[[gnu::noinline]] void FluidStep<Dim>::addLiquidForce(const Neighbor& liquid, Index i,
+                                                      std::array<double, Dim>& force) const {
+    const NeighborList<Dim>& list = liquid.relation->list;
+    const FluidStep& other = *liquid.step;
+    // One for both: each gets what the other loses.
+    const double largest = std::max(largest_force_, other.largest_force_);
+    ExactSums<Dim> sum(SumGrid(largest / list.gradient_unit));
+    addLiquidPressure<R>(liquid.interface, list, i, before_[i], other.before_.data(), sum);
+    for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
+}
+
+template <int Dim>
+Vec<Dim> FluidStep<Dim>::slipImpulse(const WallFields<Dim>& fields,
                                               const NeighborList<Dim>& list, std::size_t i) const {
     const double factor = 2 * constants_.rho0 * constants_.c0;
     const double unit = list.gradient_unit;
@@ -323,8 +387,8 @@ Vec<Dim> PressureRelaxation<Dim>::slipImpulse(const WallFields<Dim>& fields,
 
 template <int Dim>
 template <class Real>
-void PressureRelaxation<Dim>::addSlipImpulses() {
-    const std::vector<Index>& particles = around_.atWalls();
+void FluidStep<Dim>::addSlipImpulses() {
+    const std::vector<Index>& particles = around_.atOthers();
     for (const auto& wall : around_.walls()) {
         if (!wall.fields.responds) continue;
         parallelFor(particles.size(), [&](std::size_t k) {
@@ -341,7 +405,7 @@ void PressureRelaxation<Dim>::addSlipImpulses() {
 }
 
 template <int Dim>
-Load<Dim> PressureRelaxation<Dim>::loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
+Load<Dim> FluidStep<Dim>::loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
                                           const Vec<Dim>& about) const {
     const auto* wall = around_.wall(solid);
     if (!wall) return {};
@@ -353,7 +417,7 @@ Load<Dim> PressureRelaxation<Dim>::loadOn(const Body<Dim>& solid, const Neighbor
 
 template <int Dim>
 template <Riemann R>
-Load<Dim> PressureRelaxation<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall,
+Load<Dim> FluidStep<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall,
                                           const NeighborList<Dim>& list,
                                           const Vec<Dim>& about) const {
     const double unit = list.gradient_unit;
@@ -376,7 +440,7 @@ Load<Dim> PressureRelaxation<Dim>::loadOn(const typename Surroundings<Dim>::Wall
 }
 
 template <int Dim>
-void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
+void FluidStep<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
                                         Field<Vec<Dim>>& force) const {
     const double unit = list.gradient_unit;
     const SumGrid grid(largest_force_ / unit);
@@ -394,7 +458,7 @@ void PressureRelaxation<Dim>::addForces(const Body<Dim>& solid, const NeighborLi
 }
 
 template <int Dim>
-void PressureRelaxation<Dim>::addImpedance(const Body<Dim>& solid, const NeighborList<Dim>& list,
+void FluidStep<Dim>::addImpedance(const Body<Dim>& solid, const NeighborList<Dim>& list,
                                            Field<Mat<Dim>>& impedance) const {
     const auto* wall = around_.wall(solid);
     if (!wall) return;
@@ -417,7 +481,7 @@ void PressureRelaxation<Dim>::addImpedance(const Body<Dim>& solid, const Neighbo
 
 template <int Dim>
 template <Riemann R, class Real>
-void PressureRelaxation<Dim>::continuity(double dt) {
+void FluidStep<Dim>::continuity(double dt) {
     const PairTiles<Dim>& tiles = around_.own();
     using Side = TileSide<Dim, Real>;
     using Tile = TileOf<Real>;
@@ -435,11 +499,12 @@ void PressureRelaxation<Dim>::continuity(double dt) {
     const double half = 0.5 * dt;
     const double unit = constants_.c0 * cell_ * tiles.gradientUnit();
     const std::vector<SumGrid> grids = wallGrids(largest_rate_);
-    const auto addWalls = [&](Index i, std::array<double, 1>& closing) {
+    const auto addOthers = [&](Index i, std::array<double, 1>& closing) {
         for (std::size_t w = 0; w < grids.size(); ++w)
             closing[0] += wallClosing(around_.walls()[w], grids[w], i);
+        for (const Neighbor& liquid : liquids_) closing[0] += liquidClosing(liquid, i);
     };
-    rates_.forEach(tiles, body_->size(), unit, around_.atWalls(), addWalls,
+    rates_.forEach(tiles, body_->size(), unit, around_.atOthers(), addOthers,
                    [&](const Group& group, const VecOf<1, Wide>& closing) {
                        const Wide rho = load(density_, group);
                        const Wide rate = rho * closing[0];
@@ -451,13 +516,65 @@ void PressureRelaxation<Dim>::continuity(double dt) {
 
 /// sum_j 2 (v_i - v*_ij) . e_ij W' V_j over the particles of a wall.
 template <int Dim>
-[[gnu::noinline]] double PressureRelaxation<Dim>::wallClosing(
+[[gnu::noinline]] double FluidStep<Dim>::wallClosing(
     const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i) const {
     const NeighborList<Dim>& list = wall.list();
     ExactSum sum(grid);
     addWallClosure<Dim>(wall.fields, list, i, velocity_[i], list.gradient_unit, sum);
     return list.gradient_unit * sum.value();
 }
+
+/// sum_j 2 (v_i - v*_ij) . e_ij W' V_j over the particles of another liquid.
+template <int Dim>
+[[gnu::noinline]] double FluidStep<Dim>::liquidClosing(const Neighbor& liquid, Index i) const {
+    const NeighborList<Dim>& list = liquid.relation->list;
+    const FluidStep& other = *liquid.step;
+    const double largest = std::max(largest_rate_, other.largest_rate_);
+    ExactSum sum(SumGrid(largest / list.gradient_unit));
+    addLiquidClosure<Dim>(liquid.interface, list, i, velocity_[i], other.velocity_, other.volume_,
+                          sum);
+    return list.gradient_unit * sum.value();
+}
+
+/// The steps of all fluids that see each other.
+template <int Dim>
+class PressureRelaxation final : public Method {
+ public:
+    PressureRelaxation(Context<Dim>& context, const PressureRelaxationParameters& p) {
+        for (const input::Name& body : bodiesOf(p))
+            steps_.push_back(std::make_unique<FluidStep<Dim>>(context, body, p.riemann));
+        for (const auto& step : steps_)
+            for (const auto& other : steps_)
+                if (step != other) step->meet(*other);
+    }
+
+    void firstHalf(const Clock& clock) {
+        for (const auto& step : steps_) step->predict(clock);
+        for (const auto& step : steps_) step->kick(clock);
+    }
+    void secondHalf(const Clock& clock) {
+        for (const auto& step : steps_) step->answerSolids(clock);
+        for (const auto& step : steps_) step->compress(clock);
+    }
+    std::size_t workSize() const override {
+        std::size_t n = 0;
+        for (const auto& step : steps_) n += step->workSize();
+        return n;
+    }
+    void rest() override {
+        for (const auto& step : steps_) step->rest();
+    }
+    void transfer(Archive& archive) override {
+        if (steps_.size() == 1) return steps_.front()->transfer(archive);
+        for (const auto& step : steps_) {
+            Section section(archive, step->fluid().name);
+            step->transfer(archive);
+        }
+    }
+
+ private:
+    std::vector<std::unique_ptr<FluidStep<Dim>>> steps_;
+};
 
 /// What both sums need of the solids that the fluid sees.
 input::Action& readSolids(input::Action& action) {
@@ -469,6 +586,25 @@ input::Action& readSolids(input::Action& action) {
 
 }  // namespace
 
+/// Fluids that see each other are stepped together, each once.
+void checkTogether(const input::Component& method, WrittenCase& written) {
+    const std::vector<input::Name> own = bodiesOf(method.as<PressureRelaxationParameters>());
+    const auto steps = [&](std::string_view body) {
+        return std::ranges::any_of(own, [&](const auto& name) { return name.text == body; });
+    };
+    for (const input::Name& name : own)
+        for (const WrittenCase::Sight& sight : written.topology) {
+            const auto material = written.materials.find(sight.seen.text);
+            if (sight.body.text != name.text || material == written.materials.end() ||
+                !material->second->declaration->hasTrait("fluid") || steps(sight.seen.text))
+                continue;
+            written.diagnostics.error(
+                name.place, fmt::format("{0} sees {1}, but {2} does not step {1}: one method steps "
+                                        "both, 'bodies: [{0}, {1}]'",
+                                        name.text, sight.seen.text, method.name));
+        }
+}
+
 void declarePressureRelaxation(input::Registry& registry) {
     using P = PressureRelaxationParameters;
     auto& d = declareMethod<PressureRelaxation, P>(registry, "fluid.pressure_relaxation");
@@ -477,7 +613,20 @@ void declarePressureRelaxation(input::Registry& registry) {
         "guide (51), (56)-(58) as drift-kick-drift; m_i dv_i/dt = -2 sum_j p*_ij e_ij W' V_i V_j, "
         "drho_i/dt = 2 rho_i sum_j (v_i - v*_ij) . e_ij W' V_j");
     d.cite("guide", "(51), (56)-(58)").cite("Zhang, Hu & Adams 2017");
-    d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid that is stepped");
+    d.optional("body", &P::body, input::bodyReference({"fluid"}), "fluid that is stepped");
+    d.optional("bodies", &P::bodies, input::list(input::bodyReference({"fluid"})),
+               "in place of body: fluids that see each other, which are stepped together");
+    d.check("body", [](const P& p) -> std::string {
+        if (p.body && !p.bodies.empty()) return "either body or bodies, not both";
+        return p.body || !p.bodies.empty() ? "" : "body or bodies says which fluid is stepped";
+    });
+    d.check("bodies", [](const P& p) -> std::string {
+        for (std::size_t k = 1; k < p.bodies.size(); ++k)
+            for (std::size_t m = 0; m < k; ++m)
+                if (p.bodies[k].text == p.bodies[m].text)
+                    return p.bodies[k].text + " is listed twice";
+        return "";
+    });
     d.optional("riemann", &P::riemann,
                input::choice<Riemann>({
                    {"none", Riemann::none, "averages: no dissipation"},
@@ -488,22 +637,30 @@ void declarePressureRelaxation(input::Registry& registry) {
     d.trait("sums_over_itself");
     d.rule([](const input::Component& method, WrittenCase& written) {
         warnUnbounded(method, written, "fluid.acoustic_time_step");
+        checkTogether(method, written);
     });
-    readSolids(d.action("first_half",
-                        "density, pressure and position to the half step; velocity by a whole step",
-                        [](auto& method, const Clock& clock) { method.firstHalf(clock); })
-                   .reads("body", {"velocity", "mass", "density", "density_rate", "slack",
-                                   "position", "external_acceleration", "neighbors"}))
-        .writes("body", {"density", "pressure", "volume", "position", "velocity"})
-        .opens("body", "step");
-    readSolids(d.action("second_half",
-                        "rate of change of the density; density and position to the full step",
-                        [](auto& method, const Clock& clock) { method.secondHalf(clock); })
-                   .reads("body", {"velocity", "pressure", "volume", "density", "position",
-                                   "external_acceleration", "mass", "neighbors"})
-                   .mayRead("neighbors.responding", {"slip"}))
-        .writes("body", {"density_rate", "density", "position", "velocity"})
-        .closes("body", "step");
+    auto& first =
+        d.action("first_half",
+                 "density, pressure and position to the half step; velocity by a whole step",
+                 [](auto& method, const Clock& clock) { method.firstHalf(clock); });
+    auto& second =
+        d.action("second_half",
+                 "rate of change of the density; density and position to the full step",
+                 [](auto& method, const Clock& clock) { method.secondHalf(clock); });
+    for (const std::string owner : {"body", "bodies"}) {
+        first
+            .reads(owner, {"velocity", "mass", "density", "density_rate", "slack", "position",
+                           "external_acceleration", "neighbors"})
+            .writes(owner, {"density", "pressure", "volume", "position", "velocity"})
+            .opens(owner, "step");
+        second
+            .reads(owner, {"velocity", "pressure", "volume", "density", "position",
+                           "external_acceleration", "mass", "neighbors"})
+            .writes(owner, {"density_rate", "density", "position", "velocity"})
+            .closes(owner, "step");
+    }
+    readSolids(first);
+    readSolids(second).mayRead("neighbors.responding", {"slip"});
 }
 
 }  // namespace sphinx::dynamics::fluid

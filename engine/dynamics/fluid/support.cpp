@@ -48,6 +48,25 @@ void Support<Dim>::findSurface(std::size_t particles) {
             for (int k = 0; k < tile_side; ++k)
                 if ((i_told & (0xfu << (tile_side * k))) != 0) tell(first + static_cast<Index>(k));
         });
+    for (const Term& term : terms_)
+        if (term.fluid) hearFrom(term);
+}
+
+/// Particles with a neighbor in another fluid that lacks support.
+template <int Dim>
+void Support<Dim>::hearFrom(const Term& term) {
+    const Support& other = *term.fluid;
+    AlignedVector<std::uint8_t> lacks(term.relation->to->size());
+    parallelForGroups(lacks.size(), [&](const Group& group) {
+        const LaneMask lacking = other.isLacking(other.share(group));
+        for (std::size_t k = 0; k < group.count; ++k) lacks[group.first + k] = lacking[k] != 0;
+    });
+    const NeighborList<Dim>& list = term.relation->list;
+    parallelFor(list.ranges.size(), [&](std::size_t i) {
+        for (const auto& block : list.of(i))
+            for (const std::uint32_t j : block.index)  // beyond the last one repeats
+                if (lacks[j] != 0) told_[self_->slotsOf()[i]] = 1;
+    });
 }
 
 template class Support<2>;

@@ -8,28 +8,19 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace sphinx::dynamics::fluid {
 
 /// How much of its neighborhood a particle of a fluid has: S_i/S0, S_i = W(0) + sum_j W_ij over the
-/// fluid and the solids that it sees, where a neighbor of another spacing counts with V_j0/V_i0,
+/// fluid, the solids and the other fluids that it sees, where a neighbor of another spacing counts with V_j0/V_i0,
 /// and S0 the sum over the full lattice of the body. A particle has support if S_i is nearer to S0
 /// than that of the outermost row of a flat surface. Made in a method's constructor.
 template <int Dim>
 class Support {
  public:
-    Support(Context<Dim>& context, const Body<Dim>& body)
-        : own_(body.kernel.value(0)),
-          lattice_sum_(body.kernel.latticeSum()),
-          least_share_(0.5 + 0.5 * body.kernel.surfaceSum() / lattice_sum_),
-          self_(&context.relations.ownPairs(body)) {
-        for (const Body<Dim>* other : body.sees)
-            if (other != &body)
-                terms_.push_back({&context.relations.flow(body, *other, {.kernel_sum = true}),
-                                  std::pow(other->spacing / body.spacing, Dim)});
-    }
-
+    Support(Context<Dim>& context, const Body<Dim>& body) : Support(context, body, true) {}
     /// The pairs of the fluid's own particles.
     const PairTiles<Dim>& self() const { return *self_; }
     /// S_i/S0.
@@ -44,11 +35,19 @@ class Support {
     [[gnu::always_inline]] LaneMask seesSolid(const Group& group) const {
         LaneMask sees = {};
         for (const Term& term : terms_)
-            sees |= load(term.relation->list.kernel_sum.data(), group) > 0;
+            if (!term.fluid) sees |= load(term.relation->list.kernel_sum.data(), group) > 0;
         return sees;
     }
+    /// No neighbor at all.
+    [[gnu::always_inline]] LaneMask isAlone(const Group& group) const {
+        LaneMask sees = load(self_->kernelSums(), group) > 0;
+        for (const Term& term : terms_)
+            sees |= load(term.relation->list.kernel_sum.data(), group) > 0;
+        return ~sees;
+    }
 
-    /// With the present lists, before isCutOff(): particles that lack support tell their neighbors.
+    /// With the present lists, before isCutOff(): particles that lack support tell their neighbors,
+    /// also those of other fluids.
     void findSurface(std::size_t particles);
     /// Whether the particle or one of its neighbors lacks support: a surface cuts off a part of its
     /// own neighborhood.
@@ -61,11 +60,28 @@ class Support {
     }
 
  private:
-    /// What the neighbors in one solid add to S_i, each of them.
+    /// What the neighbors in one other body add to S_i, each of them.
     struct Term {
         const Relation<Dim>* relation;
         double weight;
+        std::unique_ptr<Support> fluid;  ///< of another fluid; null: a solid
     };
+
+    Support(Context<Dim>& context, const Body<Dim>& body, bool looks_at_others)
+        : own_(body.kernel.value(0)),
+          lattice_sum_(body.kernel.latticeSum()),
+          least_share_(0.5 + 0.5 * body.kernel.surfaceSum() / lattice_sum_),
+          self_(&context.relations.ownPairs(body)) {
+        for (const Body<Dim>* other : body.sees)
+            if (other != &body)
+                terms_.push_back({&context.relations.flow(body, *other, {.kernel_sum = true}),
+                                  std::pow(other->spacing / body.spacing, Dim),
+                                  std::unique_ptr<Support>(
+                                      looks_at_others && other->isFluid()
+                                          ? new Support(context, *other, false)
+                                          : nullptr)});
+    }
+    void hearFrom(const Term& fluid);
 
     double own_;          // W(0)
     double lattice_sum_;  // S0

@@ -11,8 +11,8 @@
 
 namespace sphinx::dynamics::fluid {
 
-/// A fluid's neighbors as its methods sum over them: its own particles, and the walls that it sees.
-/// Made in a method's constructor.
+/// A fluid's neighbors as its methods sum over them: its own particles, and the walls and the other
+/// liquids that it sees. Made in a method's constructor.
 template <int Dim>
 class Surroundings {
  public:
@@ -23,9 +23,17 @@ class Surroundings {
 
         const NeighborList<Dim>& list() const { return relation->list; }
     };
-    /// What the lists of walls keep for each pair besides the gradient.
+    /// Another fluid.
+    struct Liquid {
+        Body<Dim>* body;
+        const Relation<Dim>* relation;
+
+        const NeighborList<Dim>& list() const { return relation->list; }
+    };
+    /// What lists keep for each pair besides the gradient.
     struct Needs {
         sphinx::neighbors::Keeps walls = {};
+        sphinx::neighbors::Keeps liquids = {};
         bool sees_walls = true;
     };
 
@@ -33,6 +41,8 @@ class Surroundings {
         for (Body<Dim>* other : fluid.sees) {
             if (other == &fluid)
                 own_ = &context.relations.ownPairs(fluid);
+            else if (other->isFluid())
+                liquids_.push_back({other, &context.relations.flow(fluid, *other, needs.liquids)});
             else if (needs.sees_walls)
                 walls_.push_back({other, &context.relations.flow(fluid, *other, needs.walls),
                                   WallFields<Dim>(*other)});
@@ -42,24 +52,30 @@ class Surroundings {
     /// The fluid's own particles. The fluid is known to see itself.
     const PairTiles<Dim>& own() const { return *own_; }
     const std::vector<Wall>& walls() const { return walls_; }
+    const std::vector<Liquid>& liquids() const { return liquids_; }
     /// Before sums over walls that may have moved.
     void look() {
         for (Wall& wall : walls_) wall.fields.look(*wall.body);
     }
-    /// The particles that have neighbors in any of the walls, ascending.
-    const std::vector<Index>& atWalls() {
+    /// The particles that have neighbors in any of the walls or other liquids, ascending.
+    const std::vector<Index>& atOthers() {
         std::uint64_t builds = own_->builds();  // counts only grow: so the sum tells of any
-        for (const Wall& wall : walls_) builds += wall.relation->builds;
-        if (builds == builds_) return at_walls_;
+        const auto each = [&](auto&& f) {
+            for (const Wall& wall : walls_) f(*wall.relation);
+            for (const Liquid& liquid : liquids_) f(*liquid.relation);
+        };
+        each([&](const Relation<Dim>& relation) { builds += relation.builds; });
+        if (builds == builds_) return at_others_;
         builds_ = builds;
-        at_walls_.clear();
-        if (walls_.empty()) return at_walls_;
-        const std::size_t n = walls_.front().list().ranges.size();
+        at_others_.clear();
+        std::vector<const NeighborList<Dim>*> lists;
+        each([&](const Relation<Dim>& relation) { lists.push_back(&relation.list); });
+        if (lists.empty()) return at_others_;
+        const std::size_t n = lists.front()->ranges.size();
         for (Index i = 0; i < n; ++i)
-            if (std::ranges::any_of(
-                    walls_, [&](const Wall& wall) { return wall.list().ranges[i].count != 0; }))
-                at_walls_.push_back(i);
-        return at_walls_;
+            if (std::ranges::any_of(lists, [&](const auto* l) { return l->ranges[i].count != 0; }))
+                at_others_.push_back(i);
+        return at_others_;
     }
     /// nullptr where the body is none of the walls.
     const Wall* wall(const Body<Dim>& body) const {
@@ -71,7 +87,8 @@ class Surroundings {
  private:
     const PairTiles<Dim>* own_ = nullptr;
     std::vector<Wall> walls_;
-    std::vector<Index> at_walls_;
+    std::vector<Liquid> liquids_;
+    std::vector<Index> at_others_;
     std::uint64_t builds_ = 0;  // of all lists, when they were found
 };
 

@@ -123,7 +123,7 @@ void TransportVelocity<Dim>::findShift() {
         for (int c = 0; c < Dim; ++c) gradient[c] += at_solids_[i][c];
     };
     const double factor = -shift_factor * body_->spacing * body_->spacing;
-    gradients_.forEach(tiles, n, cell_ * tiles.gradientUnit(), around_.atWalls(), addSolids,
+    gradients_.forEach(tiles, n, cell_ * tiles.gradientUnit(), around_.atOthers(), addSolids,
                        [&](const Group& group, const VecOf<Dim, Wide>& gradient) {
                            VecOf<Dim, Wide> shift = factor * gradient;
                            if (support_) {
@@ -166,7 +166,7 @@ void TransportVelocity<Dim>::carry(int component, double mean) {
             rho * (velocity_[i][component] - mean) * volume_[i] * shift_[i].dot(at_solids_[i]);
     };
     const double unit = rho0_ * c0_ * body_->spacing * cell_ * cell_ * tiles.gradientUnit();
-    momenta_.forEach(tiles, n, unit, around_.atWalls(), addSolids,
+    momenta_.forEach(tiles, n, unit, around_.atOthers(), addSolids,
                      [&](const Group& group, const VecOf<1, Wide>& sum) {
                          VecOf<Dim, Wide> v = load(velocity_, group);
                          v[component] += sum[0] / load(mass_, group);

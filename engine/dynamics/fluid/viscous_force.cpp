@@ -4,6 +4,7 @@
 
 #include "core/exact_sum.h"
 #include "core/sum_all.h"
+#include "dynamics/fluid/liquid_friction.h"
 #include "dynamics/fluid/no_slip_pairs.h"
 #include "dynamics/fluid/solid_load.h"
 #include "dynamics/fluid/stress_divergence.h"
@@ -108,6 +109,7 @@ class ViscousForce final : public SolidLoad<Dim> {
     double largest_;        // that sums over pairs may reach
     mutable std::optional<Varying> varying_;
     Surroundings<Dim> around_;
+    LiquidFriction<Dim> liquids_;
     TileRecords<Dim> records_;  // velocities in steps, volumes in those of a cell
     TileSums<Dim, Dim> sums_;
     Field<Vec<Dim>>& velocity_;
@@ -129,7 +131,10 @@ ViscousForce<Dim>::ViscousForce(Context<Dim>& context, const ViscousForceParamet
       // few 1/spacing^2.
       largest_(body_->fluid().material->soundSpeed() * std::pow(body_->spacing, Dim - 2)),
       around_(context, *body_,
-              {.walls = {.distance = true}, .sees_walls = p.wall == WallSlip::no_slip}),
+              {.walls = {.distance = true},
+               .liquids = {.distance = true},
+               .sees_walls = p.wall == WallSlip::no_slip}),
+      liquids_(*body_, around_, p.form),
       velocity_(body_->particles.vector(fields::velocity)),
       external_(body_->particles.vector(fields::external_acceleration)),
       mass_(body_->particles.scalar(fields::mass)),
@@ -145,6 +150,8 @@ template <int Dim>
 void ViscousForce<Dim>::announce() {
     std::vector<const Body<Dim>*> walls;
     for (const auto& wall : around_.walls()) walls.push_back(wall.body);
+    // Beside a far more viscous one a liquid feels twice its own viscosity, as it does at a wall.
+    for (const Body<Dim>* liquid : liquids_.bodies()) walls.push_back(liquid);
     const ViscousBound bound = viscousBound<Dim>(*body_, form_, walls);
     const double mu = body_->fluid().material->viscosity();
     body_->fluid().viscous.whole += mu * bound.whole;
@@ -254,8 +261,9 @@ void ViscousForce<Dim>::accelerate() {
                 });
             for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
         }
+        liquids_.template add<F>(i, velocity_[i], volume_[i], 1 / factor_, force);
     };
-    sums_.forEach(tiles, body_->size(), unit, around_.atWalls(), addWalls,
+    sums_.forEach(tiles, body_->size(), unit, around_.atOthers(), addWalls,
                   [&](const Group& group, const VecOf<Dim, Wide>& force) {
                       const Wide factor = factor_ / load(mass_, group);
                       store(VecOf<Dim, Wide>(load(external_, group) + factor * force), external_,
@@ -379,6 +387,20 @@ void checkApplied(BuiltCase<Dim>& built) {
     }
 }
 
+/// Fluids that see each other push each other alike.
+void checkForms(const input::Component& method, WrittenCase& written) {
+    const auto& own = method.as<ViscousForceParameters>();
+    for (const input::Component* other : written.methods) {
+        const auto* p = other->find<ViscousForceParameters>();
+        if (!p || p->form == own.form || p->body.text == own.body.text) continue;
+        if (other > &method || !written.sees(own.body.text, p->body.text)) continue;
+        written.diagnostics.error(
+            method.placeOf("form"),
+            fmt::format("{} and {} see each other, so the viscous forces of both have one form",
+                        p->body.text, own.body.text));
+    }
+}
+
 }  // namespace
 
 void declareViscousForce(input::Registry& registry) {
@@ -409,10 +431,12 @@ void declareViscousForce(input::Registry& registry) {
                }),
                "sum over pairs");
     d.trait("sums_over_itself");
+    d.rule(checkForms);
     d.worldRule([](const auto& method, auto& built) { checkEffect(method, built); });
     d.caseRule([](auto& built) { checkApplied(built); });
     d.action()
         .reads("body", {"velocity", "mass", "volume", "neighbors"})
+        .reads("neighbors.fluid", {"velocity", "volume"})
         .reads("neighbors.solid", {"normal", "depth", "volume"})
         .reads("neighbors.driven", {"velocity"})
         .reads("neighbors.responding", {"average_velocity"})
