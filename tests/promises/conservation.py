@@ -32,9 +32,9 @@ SOLID_3D = {
 }
 
 
-def first_frame(output, field):
+def first_frame(output, field, body="water"):
     """By id, as the run began."""
-    data = results.read_vtu(output / "water_000000.vtu").GetPointData()
+    data = results.read_vtu(output / f"{body}_000000.vtu").GetPointData()
     values = vtk_to_numpy(data.GetArray(field))
     return values[np.argsort(vtk_to_numpy(data.GetArray("id")))]
 
@@ -74,6 +74,23 @@ class Conservation(Promise):
         self.mass_and_momentum_kept(
             domain=PERIODIC_2D, geometry={"drop": {"box": {"lower": [-1, -1], "upper": [1, 1]}}},
             dynamics__density_summation__surface="confined")
+
+    def test_two_liquids(self):
+        """The momentum of both together; each takes more than rounding from the other."""
+        case, output = self.case("liquids_2d"), self.folder / "out"
+        self.sphinx(case, output)
+        after = last_restart(output)
+        drift, size = {}, 0.0
+        for body in ("water", "oil"):
+            mass, velocity = (first_frame(output, field, body) for field in ("mass", "velocity"))
+            velocity = velocity[:, :2]
+            drift[body] = momentum(mass, after.by_id(body, "velocity")) - momentum(mass, velocity)
+            size += math.fsum(mass * np.linalg.norm(velocity, axis=1))
+        both = np.abs(sum(drift.values())).max()
+        print(f"two liquids, {after.steps} steps: momentum drift {both / size:.1e} of sum m|v|, "
+              f"of one {np.abs(drift['water']).max() / size:.1e}")
+        self.assertGreater(np.abs(drift["water"]).max(), 1e-4 * size, "nothing happened")
+        self.assertLessEqual(both, MOMENTUM_DRIFT * size)
 
     def test_mass_with_walls(self):
         case, output = self.case("splash_2d"), self.folder / "out"

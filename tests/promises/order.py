@@ -17,10 +17,13 @@ EVERY_STEP, SELDOM, NEVER = 1, 100, 10**6
 
 
 def sorted_every(case, interval):
-    """The case with its line `sort` at that interval of steps."""
+    """The case with its lines `sort` at that interval of steps."""
     changed = copy.deepcopy(case)
-    line = next(step for step in changed["loop"]["steps"] if isinstance(step, dict) and step.get("run") == "sort")
-    line["every"] = {"steps": interval}
+    lines = [step for step in changed["loop"]["steps"]
+             if isinstance(step, dict) and step.get("run", "").startswith("sort")]
+    assert lines
+    for line in lines:
+        line["every"] = {"steps": interval}
     return changed
 
 
@@ -103,6 +106,9 @@ class Order(Promise):
             case["outputs"][quantity] = {"type": "reduce", "every": {"time": 0.02}, "body": "water",
                                          "quantity": quantity}
         self.same_in_any_order(case)
+
+    def test_two_liquids(self):
+        self.same_in_any_order(load_case("liquids_2d"))
 
     def test_particles_that_leave(self):
         case = load_case("free_2d")

@@ -38,6 +38,9 @@ class Threads(Promise):
                 for threads in (1, 2, 7):
                     shutil.rmtree(self.folder / str(threads))
 
+    def test_two_liquids(self):
+        self.same_for_all_threads("liquids_2d", {"variables__spacing": 1 / 80, "loop__end_time": 0.05})
+
     def test_elastic(self):
         self.same_for_all_threads(
             "gate_2d", {"variables__refined": 3, "variables__spacing": 0.025, "loop__end_time": 0.15,

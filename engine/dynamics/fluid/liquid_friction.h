@@ -34,13 +34,13 @@ class LiquidFriction {
             const double mu_b = other.fluid().material->viscosity();
             if (mu_a == 0 || mu_b == 0) continue;
             const auto& kernel = sphinx::neighbors::commonKernel(body, other);
-            const double sums_to = form == ViscousForm::laplacian ? kernel.laplacianFactor() : Dim + 2;
+            const double sums_to =
+                form == ViscousForm::laplacian ? kernel.laplacianFactor() : Dim + 2;
             // As for the fluid's own: see ViscousForce.
             const auto largest = [](const Body<Dim>& fluid) {
                 return fluid.fluid().material->soundSpeed() * std::pow(fluid.spacing, Dim - 2);
             };
-            others_.push_back({liquid.relation, &liquid.body->particles.vector(fields::velocity),
-                               &liquid.body->particles.scalar(fields::volume),
+            others_.push_back({liquid.relation, liquid.velocity, liquid.volume,
                                2 * sums_to * (2 * (mu_a * mu_b) / (mu_a + mu_b)),
                                std::max(largest(body), largest(other))});
             bodies_.push_back(liquid.body);

@@ -269,8 +269,8 @@ void FluidStep<Dim>::predict(double dt) {
 template <int Dim>
 template <class Real>
 [[gnu::always_inline]] inline void FluidStep<Dim>::record(const Group& group,
-                                                                   const VecOf<Dim, Wide>& v,
-                                                                   Wide p, Wide V) {
+                                                          const VecOf<Dim, Wide>& v, Wide p,
+                                                          Wide V) {
     const double per_c0 = 1 / constants_.c0;
     const double per_pressure = 1 / (constants_.rho0 * constants_.c0 * constants_.c0);
     const double per_cell = 1 / cell_;
@@ -346,9 +346,9 @@ void FluidStep<Dim>::momentum(double dt) {
 /// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the particles of a wall.
 template <int Dim>
 template <Riemann R>
-[[gnu::noinline]] void FluidStep<Dim>::addWallForce(
-    const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i,
-    std::array<double, Dim>& force) const {
+[[gnu::noinline]] void FluidStep<Dim>::addWallForce(const typename Surroundings<Dim>::Wall& wall,
+                                                    const SumGrid& grid, Index i,
+                                                    std::array<double, Dim>& force) const {
     const NeighborList<Dim>& list = wall.list();
     const FluidSide<Dim, Lanes> fluid =
         oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i]);
@@ -373,8 +373,8 @@ template <Riemann R>
 }
 
 template <int Dim>
-Vec<Dim> FluidStep<Dim>::slipImpulse(const WallFields<Dim>& fields,
-                                              const NeighborList<Dim>& list, std::size_t i) const {
+Vec<Dim> FluidStep<Dim>::slipImpulse(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
+                                     std::size_t i) const {
     const double factor = 2 * constants_.rho0 * constants_.c0;
     const double unit = list.gradient_unit;
     // Slips are less than a spacing.
@@ -406,7 +406,7 @@ void FluidStep<Dim>::addSlipImpulses() {
 
 template <int Dim>
 Load<Dim> FluidStep<Dim>::loadOn(const Body<Dim>& solid, const NeighborList<Dim>& list,
-                                          const Vec<Dim>& about) const {
+                                 const Vec<Dim>& about) const {
     const auto* wall = around_.wall(solid);
     if (!wall) return {};
     Load<Dim> load;
@@ -418,8 +418,7 @@ Load<Dim> FluidStep<Dim>::loadOn(const Body<Dim>& solid, const NeighborList<Dim>
 template <int Dim>
 template <Riemann R>
 Load<Dim> FluidStep<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall,
-                                          const NeighborList<Dim>& list,
-                                          const Vec<Dim>& about) const {
+                                 const NeighborList<Dim>& list, const Vec<Dim>& about) const {
     const double unit = list.gradient_unit;
     const SumGrid grid(largest_force_ / unit);
     return sumAll(body_->size(), [&](std::size_t i) {
@@ -441,7 +440,7 @@ Load<Dim> FluidStep<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall,
 
 template <int Dim>
 void FluidStep<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& list,
-                                        Field<Vec<Dim>>& force) const {
+                               Field<Vec<Dim>>& force) const {
     const double unit = list.gradient_unit;
     const SumGrid grid(largest_force_ / unit);
     if (const auto* wall = around_.wall(solid)) {
@@ -459,7 +458,7 @@ void FluidStep<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& 
 
 template <int Dim>
 void FluidStep<Dim>::addImpedance(const Body<Dim>& solid, const NeighborList<Dim>& list,
-                                           Field<Mat<Dim>>& impedance) const {
+                                  Field<Mat<Dim>>& impedance) const {
     const auto* wall = around_.wall(solid);
     if (!wall) return;
     const double factor = 2 * constants_.rho0 * constants_.c0;
@@ -516,8 +515,8 @@ void FluidStep<Dim>::continuity(double dt) {
 
 /// sum_j 2 (v_i - v*_ij) . e_ij W' V_j over the particles of a wall.
 template <int Dim>
-[[gnu::noinline]] double FluidStep<Dim>::wallClosing(
-    const typename Surroundings<Dim>::Wall& wall, const SumGrid& grid, Index i) const {
+[[gnu::noinline]] double FluidStep<Dim>::wallClosing(const typename Surroundings<Dim>::Wall& wall,
+                                                     const SumGrid& grid, Index i) const {
     const NeighborList<Dim>& list = wall.list();
     ExactSum sum(grid);
     addWallClosure<Dim>(wall.fields, list, i, velocity_[i], list.gradient_unit, sum);
@@ -639,28 +638,26 @@ void declarePressureRelaxation(input::Registry& registry) {
         warnUnbounded(method, written, "fluid.acoustic_time_step");
         checkTogether(method, written);
     });
-    auto& first =
-        d.action("first_half",
-                 "density, pressure and position to the half step; velocity by a whole step",
-                 [](auto& method, const Clock& clock) { method.firstHalf(clock); });
-    auto& second =
-        d.action("second_half",
-                 "rate of change of the density; density and position to the full step",
-                 [](auto& method, const Clock& clock) { method.secondHalf(clock); });
-    for (const std::string owner : {"body", "bodies"}) {
-        first
-            .reads(owner, {"velocity", "mass", "density", "density_rate", "slack", "position",
-                           "external_acceleration", "neighbors"})
-            .writes(owner, {"density", "pressure", "volume", "position", "velocity"})
-            .opens(owner, "step");
-        second
-            .reads(owner, {"velocity", "pressure", "volume", "density", "position",
-                           "external_acceleration", "mass", "neighbors"})
-            .writes(owner, {"density_rate", "density", "position", "velocity"})
-            .closes(owner, "step");
+    auto& first = d.action(
+        "first_half", "density, pressure and position to the half step; velocity by a whole step",
+        [](auto& method, const Clock& clock) { method.firstHalf(clock); });
+    auto& second = d.action("second_half",
+                            "rate of change of the density; density and position to the full step",
+                            [](auto& method, const Clock& clock) { method.secondHalf(clock); });
+    for (const char* owner : {"body", "bodies"}) {
+        first.reads(owner, {"velocity", "mass", "density", "density_rate", "slack", "position",
+                            "external_acceleration", "neighbors"});
+        second.reads(owner, {"velocity", "pressure", "volume", "density", "position",
+                             "external_acceleration", "mass", "neighbors"});
     }
     readSolids(first);
     readSolids(second).mayRead("neighbors.responding", {"slip"});
+    for (const char* owner : {"body", "bodies"}) {
+        first.writes(owner, {"density", "pressure", "volume", "position", "velocity"})
+            .opens(owner, "step");
+        second.writes(owner, {"density_rate", "density", "position", "velocity"})
+            .closes(owner, "step");
+    }
 }
 
 }  // namespace sphinx::dynamics::fluid

@@ -14,15 +14,14 @@
 namespace sphinx::dynamics::fluid {
 
 /// How much of its neighborhood a particle of a fluid has: S_i/S0, S_i = W(0) + sum_j W_ij over the
-/// fluid, the solids and the other fluids that it sees, where a neighbor of another spacing counts with V_j0/V_i0,
-/// and S0 the sum over the full lattice of the body. A particle has support if S_i is nearer to S0
-/// than that of the outermost row of a flat surface. Made in a method's constructor.
+/// fluid, the solids and the other fluids that it sees, where a neighbor of another spacing counts
+/// with V_j0/V_i0, and S0 the sum over the full lattice of the body. A particle has support if S_i
+/// is nearer to S0 than that of the outermost row of a flat surface. Made in a method's
+/// constructor.
 template <int Dim>
 class Support {
  public:
     Support(Context<Dim>& context, const Body<Dim>& body) : Support(context, body, true) {}
-    /// The pairs of the fluid's own particles.
-    const PairTiles<Dim>& self() const { return *self_; }
     /// S_i/S0.
     [[gnu::always_inline]] Wide share(const Group& group) const {
         Wide sum = own_ + load(self_->kernelSums(), group);
@@ -76,10 +75,9 @@ class Support {
             if (other != &body)
                 terms_.push_back({&context.relations.flow(body, *other, {.kernel_sum = true}),
                                   std::pow(other->spacing / body.spacing, Dim),
-                                  std::unique_ptr<Support>(
-                                      looks_at_others && other->isFluid()
-                                          ? new Support(context, *other, false)
-                                          : nullptr)});
+                                  std::unique_ptr<Support>(looks_at_others && other->isFluid()
+                                                               ? new Support(context, *other, false)
+                                                               : nullptr)});
     }
     void hearFrom(const Term& fluid);
 

@@ -27,6 +27,8 @@ class Surroundings {
     struct Liquid {
         Body<Dim>* body;
         const Relation<Dim>* relation;
+        const Field<Vec<Dim>>* velocity;
+        const Field<double>* volume;
 
         const NeighborList<Dim>& list() const { return relation->list; }
     };
@@ -42,7 +44,9 @@ class Surroundings {
             if (other == &fluid)
                 own_ = &context.relations.ownPairs(fluid);
             else if (other->isFluid())
-                liquids_.push_back({other, &context.relations.flow(fluid, *other, needs.liquids)});
+                liquids_.push_back({other, &context.relations.flow(fluid, *other, needs.liquids),
+                                    &other->particles.vector(fields::velocity),
+                                    &other->particles.scalar(fields::volume)});
             else if (needs.sees_walls)
                 walls_.push_back({other, &context.relations.flow(fluid, *other, needs.walls),
                                   WallFields<Dim>(*other)});

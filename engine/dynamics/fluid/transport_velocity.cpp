@@ -56,8 +56,12 @@ class TransportVelocity final : public Method {
     /// Of a component of the momentum, relative to the mean of that of the velocity.
     template <class Real>
     void carry(int component, double mean);
-    /// sum_j e_ij W' V_j over the solids.
+    /// sum_j e_ij W' V_j over the solids, over the other liquids.
     Vec<Dim> solidGradient(Index i) const;
+    Vec<Dim> liquidGradient(Index i) const;
+    /// Adds that over the neighbors of a list.
+    void addGradient(const NeighborList<Dim>& list, const Field<double>& volume, Index i,
+                     Vec<Dim>& gradient) const;
 
     Body<Dim>* body_;
     double c0_, rho0_, cell_;
@@ -77,18 +81,30 @@ class TransportVelocity final : public Method {
 };
 
 template <int Dim>
+void TransportVelocity<Dim>::addGradient(const NeighborList<Dim>& list, const Field<double>& volume,
+                                         Index i, Vec<Dim>& gradient) const {
+    // sum_j abs(W') V_j is about 1/spacing.
+    ExactSums<Dim> sum(SumGrid(1 / (body_->spacing * list.gradient_unit)));
+    forEachPair(list, i, [&](const Pairs<Dim>& pair) {
+        const Lanes V_j = gatherLanes(volume.data(), pair.index);
+        for (int c = 0; c < Dim; ++c) sum[c].addProduct(V_j, pair.gradient[c]);
+    });
+    for (int c = 0; c < Dim; ++c) gradient[c] += list.gradient_unit * sum[c].value();
+}
+
+template <int Dim>
 Vec<Dim> TransportVelocity<Dim>::solidGradient(Index i) const {
     Vec<Dim> gradient = Vec<Dim>::Zero();
-    for (const auto& wall : around_.walls()) {
-        const NeighborList<Dim>& list = wall.list();
-        // sum_j abs(W') V_j is about 1/spacing.
-        ExactSums<Dim> sum(SumGrid(1 / (body_->spacing * list.gradient_unit)));
-        forEachPair(list, i, [&](const Pairs<Dim>& pair) {
-            const Lanes V_j = gatherLanes(wall.fields.volume->data(), pair.index);
-            for (int c = 0; c < Dim; ++c) sum[c].addProduct(V_j, pair.gradient[c]);
-        });
-        for (int c = 0; c < Dim; ++c) gradient[c] += list.gradient_unit * sum[c].value();
-    }
+    for (const auto& wall : around_.walls())
+        addGradient(wall.list(), *wall.fields.volume, i, gradient);
+    return gradient;
+}
+
+template <int Dim>
+Vec<Dim> TransportVelocity<Dim>::liquidGradient(Index i) const {
+    Vec<Dim> gradient = Vec<Dim>::Zero();
+    for (const auto& liquid : around_.liquids())
+        addGradient(liquid.list(), *liquid.volume, i, gradient);
     return gradient;
 }
 
@@ -118,12 +134,13 @@ void TransportVelocity<Dim>::findShift() {
                 on_j[c] = -(g * i.V);
             }
         });
-    const auto addSolids = [&](Index i, std::array<double, Dim>& gradient) {
+    const auto addOthers = [&](Index i, std::array<double, Dim>& gradient) {
         at_solids_[i] = solidGradient(i);
-        for (int c = 0; c < Dim; ++c) gradient[c] += at_solids_[i][c];
+        const Vec<Dim> of_liquids = liquidGradient(i);
+        for (int c = 0; c < Dim; ++c) gradient[c] += at_solids_[i][c] + of_liquids[c];
     };
     const double factor = -shift_factor * body_->spacing * body_->spacing;
-    gradients_.forEach(tiles, n, cell_ * tiles.gradientUnit(), around_.atOthers(), addSolids,
+    gradients_.forEach(tiles, n, cell_ * tiles.gradientUnit(), around_.atOthers(), addOthers,
                        [&](const Group& group, const VecOf<Dim, Wide>& gradient) {
                            VecOf<Dim, Wide> shift = factor * gradient;
                            if (support_) {
@@ -206,6 +223,7 @@ void declareTransportVelocity(input::Registry& registry) {
     });
     d.action("before the acoustic steps, with fresh neighbors")
         .reads("body", {"mass", "volume", "velocity", "position", "neighbors"})
+        .reads("neighbors.fluid", {"volume"})
         .reads("neighbors.solid", {"volume"})
         .writes("body", {"position", "velocity"});
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
 // The terms of fluids on two particles, by hand and for every type of number.
+#include "dynamics/fluid/terms/interface.h"
 #include "dynamics/fluid/terms/pressure.h"
 #include "dynamics/fluid/terms/viscosity.h"
 #include "dynamics/fluid/terms/wall.h"
@@ -91,6 +92,40 @@ void checkClosingRates() {
     checkValue(
         closingRate<Riemann::low_dissipation, Dim>(water, pair, v_ij, everywhere<Number>(-4)),
         0.5 * slope + slope * 4 / 20);
+}
+
+/// Water and a liquid of three times its density and half its sound speed.
+template <int Dim, class Number, Riemann R>
+void checkInterface(double closing, double jump) {
+    constexpr RiemannConstants brine{6, 5};  // rho0 c0 = 30
+    const Interface of_water = interfaceOf(water, brine);
+    const Interface of_brine = interfaceOf(brine, water);
+    Number v_ij[Dim];
+    Number v_ji[Dim];
+    along<Dim>(-closing, v_ij);
+    for (int c = 0; c < Dim; ++c) v_ji[c] = -v_ij[c];
+    const auto pair = pairAbove<Dim, Number>();
+    const auto p = [](double value) { return everywhere<Number>(value); };
+    // p* is that of the lighter by three quarters, v* that of the heavier.
+    const double p2 = 2 * (0.75 * 5 + 0.25 * 8) + jump;
+    checkValue(twiceInterfacePressure<R, Dim>(of_water, pair, v_ij, p(5), p(8)), p2);
+    checkValue(twiceInterfacePressure<R, Dim>(of_brine, pair.reversed(), v_ji, p(8), p(5)), p2);
+    checkValue(interfaceClosingRate<Dim>(of_water, pair, v_ij), 2 * 0.75 * closing * slope);
+    checkValue(interfaceClosingRate<Dim>(of_brine, pair.reversed(), v_ji),
+               2 * 0.25 * closing * slope);
+    // Two equal liquids are one.
+    checkValue(twiceInterfacePressure<R, Dim>(interfaceOf(water, water), pair, v_ij, p(5), p(8)),
+               laneOf(twicePressure<R, Dim>(water, pair, v_ij, p(5), p(8)), 0));
+}
+
+template <int Dim, class Number>
+void checkInterfaces() {
+    // 2 Z beta dU with Z = 20 30/50 = 12; c = (2 10 + 6 5)/8 = 6.25
+    checkInterface<Dim, Number, Riemann::none>(0.5, 0);
+    checkInterface<Dim, Number, Riemann::dissipative>(-0.5, -2 * 12 * 0.5);
+    checkInterface<Dim, Number, Riemann::low_dissipation>(0.5, 2 * 12 * (3 * 0.5 / 6.25) * 0.5);
+    checkInterface<Dim, Number, Riemann::low_dissipation>(4, 2 * 12 * 4);
+    checkInterface<Dim, Number, Riemann::low_dissipation>(-0.5, 0);
 }
 
 /// A normal of a wall that is not along the line of the two.
@@ -189,6 +224,7 @@ template <int Dim, class Number>
 void checkAll() {
     checkAllPressures<Dim, Number>();
     checkClosingRates<Dim, Number>();
+    checkInterfaces<Dim, Number>();
     checkWall<Dim, Number>();
     checkParting<Dim, Number>();
     // v W'/r V with v = (-0.3 + 5.6, -0.4 - 4.2), and -(0.5) e abs(W')... along e_ij alone.

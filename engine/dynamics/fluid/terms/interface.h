@@ -48,7 +48,8 @@ template <Riemann R, int Dim, class Number>
                                                             Number p_j) {
     using Scalar = ScalarOf<Number>;
     const Number approach = dot<Dim>(v_ij, pair.gradient);
-    const Number mean = static_cast<Scalar>(2 * k.other) * p_i + static_cast<Scalar>(2 * k.own) * p_j;
+    const Number mean =
+        static_cast<Scalar>(2 * k.other) * p_i + static_cast<Scalar>(2 * k.own) * p_j;
     return mean + pressureJump<R>(k.both, approach * pair.inverse_dW);
 }
 
