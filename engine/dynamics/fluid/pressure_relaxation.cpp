@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -91,8 +92,17 @@ class FluidStep final : public SolidLoad<Dim> {
         const Relation<Dim>* relation;
         const FluidStep* step;
         Interface interface;
+        std::uint64_t builds = 0;  ///< of the list, when `facing` was found
+        AlignedVector<Vec<Dim>> facing = {};
     };
+    /// Across the interface with another liquid, of each particle.
+    void findFacings();
+    const AlignedVector<Vec<Dim>>& facing(const FluidStep& other) const;
 
+    /// FluidSide::least_pull
+    double leastPull() const {
+        return liquids_.empty() || std::getenv("ONESIDED") ? 0 : -std::numeric_limits<double>::infinity();
+    }
     /// What the momentum sum has read.
     bool isReadLater() const { return loads_solids_ || !liquids_.empty(); }
     template <class Real>
@@ -201,11 +211,26 @@ void FluidStep<Dim>::meet(const FluidStep& other) {
 }
 
 template <int Dim>
+void FluidStep<Dim>::findFacings() {
+    for (Neighbor& liquid : liquids_) {
+        if (liquid.builds == liquid.relation->builds) continue;
+        liquid.builds = liquid.relation->builds;
+        findFacing(liquid.relation->list, liquid.facing);
+    }
+}
+
+template <int Dim>
+const AlignedVector<Vec<Dim>>& FluidStep<Dim>::facing(const FluidStep& other) const {
+    return std::ranges::find(liquids_, &other, &Neighbor::step)->facing;
+}
+
+template <int Dim>
 void FluidStep<Dim>::predict(const Clock& clock) {
     this->actedAt(clock.time);
     records_.follow(around_.own());
     around_.look();
     if (isReadLater()) before_.resize(body_->held());
+    findFacings();
     if (clock.interval_start != interval_start_) {
         interval_start_ = clock.interval_start;
         findMeans();
@@ -351,7 +376,8 @@ template <Riemann R>
                                                     std::array<double, Dim>& force) const {
     const NeighborList<Dim>& list = wall.list();
     const FluidSide<Dim, Lanes> fluid =
-        oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i]);
+        oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i],
+                         leastPull());
     ExactSums<Dim> sum(grid);
     addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], list.gradient_unit,
                        sum);
@@ -368,7 +394,8 @@ template <Riemann R>
     // One for both: each gets what the other loses.
     const double largest = std::max(largest_force_, other.largest_force_);
     ExactSums<Dim> sum(SumGrid(largest / list.gradient_unit));
-    addLiquidPressure<R>(liquid.interface, list, i, before_[i], other.before_.data(), sum);
+    addLiquidPressure<R>(liquid.interface, list, i, before_[i], other.before_.data(),
+                         liquid.facing[i], other.facing(*this).data(), sum);
     for (int c = 0; c < Dim; ++c) force[c] += list.gradient_unit * sum[c].value();
 }
 
@@ -426,7 +453,8 @@ Load<Dim> FluidStep<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall,
         if (list.ranges[i].count == 0) return own;
         ExactSums<Dim> sum(grid);
         const FluidSide<Dim, Lanes> fluid =
-            oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i]);
+            oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i],
+                         leastPull());
         addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], unit, sum);
         Vec<Dim> force;
         for (int c = 0; c < Dim; ++c) force[c] = unit * sum[c].value();
@@ -449,7 +477,7 @@ void FluidStep<Dim>::addForces(const Body<Dim>& solid, const NeighborList<Dim>& 
                 if (list.ranges[j].count == 0) return;
                 ExactSums<Dim> sum(grid);
                 addFluidPressure<R>(wall->fields, list, j, constants_, before_.data(), external_,
-                                    density_, slack_, sum);
+                                    density_, slack_, leastPull(), sum);
                 for (int c = 0; c < Dim; ++c) force[j][c] -= unit * sum[c].value();
             });
         });

@@ -19,16 +19,17 @@ inline void spread(const Vec<Dim>& value, Lanes (&out)[Dim]) {
     for (int c = 0; c < Dim; ++c) out[c] = lanes(value[c]);
 }
 
-/// `slack`: see fields::slack.
+/// `slack`: see fields::slack; `pull`: FluidSide::least_pull.
 template <int Dim>
 inline FluidSide<Dim, Lanes> oneFluid(const Vec<Dim>& v, const Vec<Dim>& g, double p, double rho,
-                                      double slack) {
+                                      double slack, double pull) {
     FluidSide<Dim, Lanes> fluid;
     spread<Dim>(v, fluid.v);
     spread<Dim>(g, fluid.g);
     fluid.p = lanes(p);
     fluid.rho = lanes(rho);
     if (slack > 0) fluid.least = lanes(0);
+    fluid.least_pull = lanes(pull);
     return fluid;
 }
 
@@ -99,7 +100,7 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
                              std::size_t j, const RiemannConstants& constants,
                              const PairState<Dim>* states, const Field<Vec<Dim>>& external,
                              const Field<double>& density, const Field<double>& slack,
-                             ExactSums<Dim>& sum) {
+                             double pull, ExactSums<Dim>& sum) {
     Distances<Dim> distances(list, j);
     const double V = (*fields.volume)[j];
     forEachPair(list, j, [&](const Pairs<Dim>& pair) {
@@ -116,6 +117,7 @@ inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<D
         fluid.p = state.p;
         gatherVectors<Dim>(external.data(), pair.index, fluid.g);
         fluid.rho = gatherLanes(density.data(), pair.index);
+        fluid.least_pull = lanes(pull);
         fluid.least = gatherLanes(slack.data(), pair.index) > 0 ? lanes(0) : fluid.least;
         const Lanes p2 = twiceWallPressure<R, Dim, Lanes>(constants, fluid, wall, pair.reversed(),
                                                           distances.next());

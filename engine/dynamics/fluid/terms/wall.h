@@ -26,6 +26,8 @@ struct FluidSide {
     Number rho;
     /// Least pressure between it and a wall: 0 where the wall cannot hold it.
     Number least = everywhere<Number>(-std::numeric_limits<double>::infinity());
+    /// Least acceleration towards the wall that the ghost counts.
+    Number least_pull = {};
 };
 
 /// The wall's side of a pair.
@@ -64,7 +66,7 @@ template <Riemann R, int Dim, class Number>
     Number g[Dim];
     for (int c = 0; c < Dim; ++c) g[c] = fluid.g[c] - wall.a[c];
     const Number pull = dot<Dim>(g, pair.gradient);  // (g_i - a_w) . (-e_ij) abs(W')
-    const Number ghost = fluid.rho * r * larger<Number>(pull * pair.inverse_dW, Number{});
+    const Number ghost = fluid.rho * r * larger<Number>(pull * pair.inverse_dW, fluid.least_pull);
     const Number closing = closingSpeed<Dim>(fluid.v, wall, pair);
     const Number p2 = two * fluid.p + ghost + pressureJump<R>(k, two * closing);
     return larger<Number>(p2, two * fluid.least);
