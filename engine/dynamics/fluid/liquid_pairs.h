@@ -44,8 +44,7 @@ inline void addLiquidPressure(const Interface& interface, const NeighborList<Dim
             v_ij[c] = own.v[c] - other.v[c];
             n[c] = facing[c] - n[c];
         }
-        const Lanes closing =
-            dot<Dim>(v_ij, n) * inverseSqrtLanes(dot<Dim>(n, n) + lanes(1e-30));
+        const Lanes closing = dot<Dim>(v_ij, n) * inverseSqrtLanes(dot<Dim>(n, n) + lanes(1e-30));
         const Lanes p2 =
             twiceInterfacePressure<R, Lanes>(interface, closing, lanes(own.p), other.p);
         const Lanes f = p2 * (own.V * other.V);

@@ -41,7 +41,10 @@ namespace {
 ///
 /// Solid neighbors are walls of dummy particles, one-sided Riemann problem along the wall's normal
 /// n (turned towards the fluid): the ghost has the mirrored normal velocity (free slip) and the
-/// pressure p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij).
+/// pressure p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij). Where fluids see each other it is without
+/// the max: hydrostatic also above the particle. With it a wall at the side bears only a half of
+/// what it should of the weight beside it, and oil creeps down along it into water of twice its
+/// density: by 4 to 16 spacings in three seconds, at rest as in waves.
 ///
 /// Where the fluid is slack (fields::slack) it has the pressure and the volume of max(rho, rho0),
 /// and a wall's p* is not negative: nothing pulls it.
@@ -101,7 +104,7 @@ class FluidStep final : public SolidLoad<Dim> {
 
     /// FluidSide::least_pull
     double leastPull() const {
-        return liquids_.empty() || std::getenv("ONESIDED") ? 0 : -std::numeric_limits<double>::infinity();
+        return liquids_.empty() ? 0 : -std::numeric_limits<double>::infinity();
     }
     /// What the momentum sum has read.
     bool isReadLater() const { return loads_solids_ || !liquids_.empty(); }
@@ -375,9 +378,8 @@ template <Riemann R>
                                                     const SumGrid& grid, Index i,
                                                     std::array<double, Dim>& force) const {
     const NeighborList<Dim>& list = wall.list();
-    const FluidSide<Dim, Lanes> fluid =
-        oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i],
-                         leastPull());
+    const FluidSide<Dim, Lanes> fluid = oneFluid<Dim>(velocity_[i], external_[i], pressure_[i],
+                                                      density_[i], slack_[i], leastPull());
     ExactSums<Dim> sum(grid);
     addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], list.gradient_unit,
                        sum);
@@ -452,9 +454,8 @@ Load<Dim> FluidStep<Dim>::loadOn(const typename Surroundings<Dim>::Wall& wall,
         Load<Dim> own;
         if (list.ranges[i].count == 0) return own;
         ExactSums<Dim> sum(grid);
-        const FluidSide<Dim, Lanes> fluid =
-            oneFluid<Dim>(velocity_[i], external_[i], pressure_[i], density_[i], slack_[i],
-                         leastPull());
+        const FluidSide<Dim, Lanes> fluid = oneFluid<Dim>(velocity_[i], external_[i], pressure_[i],
+                                                          density_[i], slack_[i], leastPull());
         addWallPressure<R>(wall.fields, list, i, constants_, fluid, volume_[i], unit, sum);
         Vec<Dim> force;
         for (int c = 0; c < Dim; ++c) force[c] = unit * sum[c].value();

@@ -99,8 +99,8 @@ template <Riemann R, int Dim>
 inline void addFluidPressure(const WallFields<Dim>& fields, const NeighborList<Dim>& list,
                              std::size_t j, const RiemannConstants& constants,
                              const PairState<Dim>* states, const Field<Vec<Dim>>& external,
-                             const Field<double>& density, const Field<double>& slack,
-                             double pull, ExactSums<Dim>& sum) {
+                             const Field<double>& density, const Field<double>& slack, double pull,
+                             ExactSums<Dim>& sum) {
     Distances<Dim> distances(list, j);
     const double V = (*fields.volume)[j];
     forEachPair(list, j, [&](const Pairs<Dim>& pair) {

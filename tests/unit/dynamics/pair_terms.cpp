@@ -100,22 +100,23 @@ void checkInterface(double closing, double jump) {
     constexpr RiemannConstants brine{6, 5};  // rho0 c0 = 30
     const Interface of_water = interfaceOf(water, brine);
     const Interface of_brine = interfaceOf(brine, water);
+    const auto number = [](double value) { return everywhere<Number>(value); };
+    // p* is that of the lighter by three quarters, v* that of the heavier.
+    const double p2 = 2 * (0.75 * 5 + 0.25 * 8) + jump;
+    checkValue(twiceInterfacePressure<R>(of_water, number(closing), number(5), number(8)), p2);
+    checkValue(twiceInterfacePressure<R>(of_brine, number(closing), number(8), number(5)), p2);
+    const auto pair = pairAbove<Dim, Number>();
     Number v_ij[Dim];
     Number v_ji[Dim];
     along<Dim>(-closing, v_ij);
     for (int c = 0; c < Dim; ++c) v_ji[c] = -v_ij[c];
-    const auto pair = pairAbove<Dim, Number>();
-    const auto p = [](double value) { return everywhere<Number>(value); };
-    // p* is that of the lighter by three quarters, v* that of the heavier.
-    const double p2 = 2 * (0.75 * 5 + 0.25 * 8) + jump;
-    checkValue(twiceInterfacePressure<R, Dim>(of_water, pair, v_ij, p(5), p(8)), p2);
-    checkValue(twiceInterfacePressure<R, Dim>(of_brine, pair.reversed(), v_ji, p(8), p(5)), p2);
     checkValue(interfaceClosingRate<Dim>(of_water, pair, v_ij), 2 * 0.75 * closing * slope);
     checkValue(interfaceClosingRate<Dim>(of_brine, pair.reversed(), v_ji),
                2 * 0.25 * closing * slope);
     // Two equal liquids are one.
-    checkValue(twiceInterfacePressure<R, Dim>(interfaceOf(water, water), pair, v_ij, p(5), p(8)),
-               laneOf(twicePressure<R, Dim>(water, pair, v_ij, p(5), p(8)), 0));
+    checkValue(
+        twiceInterfacePressure<R>(interfaceOf(water, water), number(closing), number(5), number(8)),
+        laneOf(twicePressure<R, Dim>(water, pair, v_ij, number(5), number(8)), 0));
 }
 
 template <int Dim, class Number>
@@ -159,6 +160,9 @@ void checkWall() {
     }
     along<Dim>(9, fluid.g);  // away from the wall: it does not pull
     checkValue(twiceWallPressure<Riemann::none, Dim, Number>(water, fluid, wall, pair, r), 2 * 5);
+    fluid.least_pull = everywhere<Number>(-100);  // or does
+    checkValue(twiceWallPressure<Riemann::none, Dim, Number>(water, fluid, wall, pair, r),
+               2 * 5 - 2 * 0.1 * 11);
 }
 
 /// A fluid particle that moves away from a wall at rest.

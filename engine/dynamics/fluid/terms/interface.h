@@ -4,7 +4,6 @@
 
 #include "dynamics/fluid/terms/riemann.h"
 #include "dynamics/pair.h"
-#include <cstdlib>
 
 // The terms of the acoustic step between particles of two liquids. Number is double for one pair or
 // Lanes for eight. v_ij = v_i - v_j.
@@ -22,8 +21,8 @@ namespace sphinx::dynamics::fluid {
 /// is g on either side. Pressures have the weights of the other liquid's velocities, so that what
 /// the pressures of the pair do is the work that compresses the two.
 ///
-/// U_L - U_R is across the interface, (v_i - v_j) . n_ij with n_ij from i to j, not along the line of
-/// the two: liquids without viscosity slide along each other, and along the line the jump would
+/// U_L - U_R is across the interface, (v_i - v_j) . n_ij with n_ij from i to j, not along the line
+/// of the two: liquids without viscosity slide along each other, and along the line the jump would
 /// brake them (by half within three periods of a wave between them, whatever its amplitude).
 ///
 /// v* has no jump of the pressures: it would spread density from one liquid to the other, and is
@@ -42,7 +41,6 @@ inline Interface interfaceOf(const RiemannConstants& a, const RiemannConstants& 
     const double Z_a = a.rho0 * a.c0;
     const double Z_b = b.rho0 * b.c0;
     const double c = (Z_a + Z_b) / sum;
-    if (std::getenv("MEAN")) return {0.5, 0.5, {2 * (Z_a * Z_b) / ((Z_a + Z_b) * c) * (std::getenv("NOJUMP") ? 1e-9 : 1), c}};
     return {a.rho0 / sum, b.rho0 / sum, {2 * (Z_a * Z_b) / ((Z_a + Z_b) * c), c}};
 }
 

@@ -26,7 +26,7 @@ struct FluidSide {
     Number rho;
     /// Least pressure between it and a wall: 0 where the wall cannot hold it.
     Number least = everywhere<Number>(-std::numeric_limits<double>::infinity());
-    /// Least acceleration towards the wall that the ghost counts.
+    /// Least acceleration towards the wall that the pressure of the ghost counts.
     Number least_pull = {};
 };
 
@@ -54,9 +54,9 @@ template <int Dim, class Number>
 }
 
 /// Twice the pressure p* of the one-sided Riemann problem: p_i, the pressure of the ghost
-/// p_i + rho_i r_ij max(0, -(g_i - a_w) . e_ij), and what closing in at twice the speed adds, since
-/// the ghost moves with the mirrored normal velocity; p* is no less than what the wall can pull
-/// with. `r`: distance of the two.
+/// p_i + rho_i r_ij max(least_pull, -(g_i - a_w) . e_ij), and what closing in at twice the speed
+/// adds, since the ghost moves with the mirrored normal velocity; p* is no less than what the wall
+/// can pull with. `r`: distance of the two.
 template <Riemann R, int Dim, class Number>
 [[gnu::always_inline]] inline Number twiceWallPressure(const RiemannConstants& k,
                                                        const FluidSide<Dim, Number>& fluid,
