@@ -27,7 +27,7 @@ def period(densities):
     water, oil = densities
     square = ((water - oil) * GRAVITY * NUMBER
               / (water / np.tanh(NUMBER * LOWER) + oil / np.tanh(NUMBER * UPPER)))
-    return 2 * np.pi / np.sqrt(square)
+    return float(2 * np.pi / np.sqrt(square))
 
 
 def mode(body, x, y):

@@ -639,8 +639,11 @@ void declarePressureRelaxation(input::Registry& registry) {
     d.summary("Acoustic step of a weakly compressible fluid in two halves around the momentum sum");
     d.formula(
         "guide (51), (56)-(58) as drift-kick-drift; m_i dv_i/dt = -2 sum_j p*_ij e_ij W' V_i V_j, "
-        "drho_i/dt = 2 rho_i sum_j (v_i - v*_ij) . e_ij W' V_j");
+        "drho_i/dt = 2 rho_i sum_j (v_i - v*_ij) . e_ij W' V_j; between fluids p* = s_j p_i + s_i "
+        "p_j "
+        "+ jump, v* = s_i v_i + s_j v_j, s_i = rho_i/(rho_i + rho_j)");
     d.cite("guide", "(51), (56)-(58)").cite("Zhang, Hu & Adams 2017");
+    d.cite("Rezavand, Zhang & Hu 2020", "(jump between two fluids)");
     d.optional("body", &P::body, input::bodyReference({"fluid"}), "fluid that is stepped");
     d.optional("bodies", &P::bodies, input::list(input::bodyReference({"fluid"})),
                "in place of body: fluids that see each other, which are stepped together");

@@ -65,6 +65,10 @@ std::span<const Publication> publications() {
                     "improvements and applications, Comput. Methods Appl. Mech. Eng. 139, 375-408, "
                     "1996",
                     "10.1016/S0045-7825(96)01090-0"},
+        Publication{"Rezavand, Zhang & Hu 2020",
+                    "M. Rezavand, C. Zhang, X. Hu, A weakly compressible SPH method for violent "
+                    "multi-phase flows with high density ratio, J. Comput. Phys. 402, 109092, 2020",
+                    "10.1016/j.jcp.2019.109092"},
         Publication{"Schwager & Poeschel 2007",
                     "T. Schwager, T. Poeschel, Coefficient of restitution and linear-dashpot model "
                     "revisited, Granular Matter 9, 465-469, 2007",
