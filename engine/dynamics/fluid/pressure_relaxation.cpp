@@ -612,9 +612,8 @@ input::Action& readSolids(input::Action& action) {
         .reads("neighbors.responding", {"average_velocity"});
 }
 
-}  // namespace
-
-/// Fluids that see each other are stepped together, each once.
+/// Fluids that see each other are stepped together. Stresses at an interface are those of constant
+/// viscosities (LiquidFriction).
 void checkTogether(const input::Component& method, WrittenCase& written) {
     const std::vector<input::Name> own = bodiesOf(method.as<PressureRelaxationParameters>());
     const auto steps = [&](std::string_view body) {
@@ -622,16 +621,26 @@ void checkTogether(const input::Component& method, WrittenCase& written) {
     };
     for (const input::Name& name : own)
         for (const WrittenCase::Sight& sight : written.topology) {
-            const auto material = written.materials.find(sight.seen.text);
-            if (sight.body.text != name.text || material == written.materials.end() ||
-                !material->second->declaration->hasTrait("fluid") || steps(sight.seen.text))
+            const auto seen = written.materials.find(sight.seen.text);
+            if (sight.body.text != name.text || sight.seen.text == name.text ||
+                seen == written.materials.end() || !seen->second->declaration->hasTrait("fluid"))
                 continue;
-            written.diagnostics.error(
-                name.place, fmt::format("{0} sees {1}, but {2} does not step {1}: one method steps "
-                                        "both, 'bodies: [{0}, {1}]'",
-                                        name.text, sight.seen.text, method.name));
+            if (!steps(sight.seen.text))
+                written.diagnostics.error(
+                    name.place,
+                    fmt::format("{0} sees {1}, but {2} does not step {1}: one method steps both, "
+                                "'bodies: [{0}, {1}]'",
+                                name.text, sight.seen.text, method.name));
+            const std::string& material = written.materials.at(name.text)->declaration->name();
+            if (material != "weakly_compressible_fluid")
+                written.diagnostics.error(
+                    name.place, fmt::format("{} sees {} and is a {}: fluids that see each other "
+                                            "are of weakly_compressible_fluid",
+                                            name.text, sight.seen.text, material));
         }
 }
+
+}  // namespace
 
 void declarePressureRelaxation(input::Registry& registry) {
     using P = PressureRelaxationParameters;
