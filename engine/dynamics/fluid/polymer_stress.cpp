@@ -142,7 +142,7 @@ void PolymerStress<Dim>::findStress() const {
 
 template <int Dim>
 void PolymerStress<Dim>::findGradients() const {
-    const auto& at_walls = velocity_gradient_.around().atWalls();
+    const auto& at_walls = velocity_gradient_.around().atOthers();
     gradients_.begin(velocity_gradient_.around().own(), body_->size(), volume_, cell_);
     for (int a = 0; a < Dim; ++a)
         for (int b = 0; b <= a; ++b) {

@@ -23,7 +23,7 @@ void VelocityGradient<Dim>::addWalls() {
     // sum_j abs(W') V_j is about 1/spacing, and speeds continued into a wall are below that of
     // sound.
     const double c0 = body_->fluid().material->soundSpeed();
-    const auto& at_walls = around_.atWalls();
+    const auto& at_walls = around_.atOthers();
     parallelFor(at_walls.size(), [&](std::size_t k) {
         const Index i = at_walls[k];
         for (const auto& wall : around_.walls()) {
@@ -79,11 +79,11 @@ void VelocityGradient<Dim>::sum() {
             [a](const Side& i, const Side& j, const TilePairs<Dim, Real>&) -> Tile {
                 return static_cast<Real>(1 / VelocitySteps::steps) * stepsBetween(j.v[a], i.v[a]);
             },
-            around_.atWalls(), addWall(gradient_),
+            around_.atOthers(), addWall(gradient_),
             [&](const Group& group, const VecOf<Dim, Wide>& row) {
                 storeRow(row, a, gradient_, group);
             });
-        sums_.template findMoments<Real>(tiles, records_, n, cell, a, around_.atWalls(),
+        sums_.template findMoments<Real>(tiles, records_, n, cell, a, around_.atOthers(),
                                          addWall(correction_),
                                          [&](const Group& group, const VecOf<Dim, Wide>& row) {
                                              storeRow(row, a, correction_, group);
