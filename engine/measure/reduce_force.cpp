@@ -91,9 +91,7 @@ std::unique_ptr<io::SeriesSource> makeForceSource(const ReducedBody<Dim>& reduce
                                                   const io::OutputContext<Dim>& context,
                                                   const std::optional<Vec<Dim>>& moment_about) {
     std::vector<const dynamics::fluid::SolidLoad<Dim>*> loads;
-    for (const dynamics::Method* method : context.methods) {
-        const auto* load = dynamic_cast<const dynamics::fluid::SolidLoad<Dim>*>(method);
-        if (!load) continue;
+    for (const dynamics::fluid::SolidLoad<Dim>* load : context.loads) {
         const std::vector<bodies::Body<Dim>*>& seen = load->fluid().sees;
         if (std::find(seen.begin(), seen.end(), reduced.body) != seen.end()) loads.push_back(load);
     }

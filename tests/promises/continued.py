@@ -12,7 +12,7 @@ ALL_RESTARTS = 1000
 CASES = ("splash_2d", "splash_3d",
          "channel_2d",   # periodic
          "polymers_2d", "thinning_2d",
-         "liquids_2d",
+         "liquids_2d", "oil_gate_2d",
          "gate_2d",      # elastic
          "strip_2d",     # elastic, with loads and motion
          "raft_2d",      # a mechanism with rigid and elastic particles

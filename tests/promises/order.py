@@ -110,6 +110,9 @@ class Order(Promise):
     def test_two_liquids(self):
         self.same_in_any_order(load_case("liquids_2d"))
 
+    def test_two_liquids_at_an_elastic_gate(self):
+        self.same_in_any_order(load_case("oil_gate_2d"))
+
     def test_particles_that_leave(self):
         case = load_case("free_2d")
         case["domain"] = {"lower": [-0.49, -1], "upper": [0.5, 1], "lost_particles": "remove"}

@@ -41,6 +41,9 @@ class Threads(Promise):
     def test_two_liquids(self):
         self.same_for_all_threads("liquids_2d", {"variables__spacing": 1 / 80, "loop__end_time": 0.05})
 
+    def test_two_liquids_at_an_elastic_gate(self):
+        self.same_for_all_threads("oil_gate_2d", {"variables__spacing": 0.5 / 120, "loop__end_time": 0.05})
+
     def test_elastic(self):
         self.same_for_all_threads(
             "gate_2d", {"variables__refined": 3, "variables__spacing": 0.025, "loop__end_time": 0.15,

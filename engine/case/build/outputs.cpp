@@ -64,7 +64,8 @@ Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
         std::make_shared<io::ResultsFile>(tools.folder / "results.h5", tools.provenance);
     const io::OutputContext<Dim> context{tools.world,       tools.relations,  tools.folder,
                                          tools.model.units, tools.provenance, results,
-                                         tools.progress,    tools.methods,    followers(tools)};
+                                         tools.progress,    tools.methods,    tools.loads,
+                                         followers(tools)};
     FileOwners owners;
     for (const model::Output& source : tools.model.outputs) {
         const std::string& type = source.declaration->name();

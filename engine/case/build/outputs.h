@@ -4,6 +4,7 @@
 
 #include "case/model/model.h"
 #include "core/progress.h"
+#include "dynamics/context.h"
 #include "io/file/provenance.h"
 #include "io/restart/restart.h"
 #include "loop/plan/plan.h"
@@ -25,6 +26,7 @@ struct OutputTools {
     io::Provenance provenance;
     std::function<Progress()> progress;
     std::vector<const dynamics::Method*> methods;  ///< those of the loop
+    std::vector<const dynamics::fluid::SolidLoad<Dim>*> loads;  ///< theirs
     io::RestartHeader restart_header;
     std::vector<io::RestartBody<Dim>> restart_bodies;
     io::StateTransfer state;

@@ -150,10 +150,16 @@ void checkSight(const model::Case& model, const bodies::World<Dim>& world,
     const Meeting<Dim> meeting = meet(world, fluid, other, false, side_by_side);
     if (meeting.count == 0) return;
     const std::string place = world.placeText(fluid.particles.position()[meeting.a]);
-    diagnostics.warning(model.findBody(fluid.name)->place,
-                        fmt::format("{0} and {1} meet at {2}, but the topology of {0} lacks {1}: "
-                                    "it will pass through",
-                                    fluid.name, other.name, place));
+    // Of two fluids neither sees the other: see SenseCheck.
+    diagnostics.warning(
+        model.findBody(fluid.name)->place,
+        other.isFluid()
+            ? fmt::format("{0} and {1} meet at {2} and do not see each other: they will pass "
+                          "through each other; the topology of each needs the other",
+                          fluid.name, other.name, place)
+            : fmt::format("{0} and {1} meet at {2}, but the topology of {0} lacks {1}: it will "
+                          "pass through",
+                          fluid.name, other.name, place));
 }
 
 /// A solid that a fluid sees and does not touch holds it only once the fluid has come up to it.

@@ -182,7 +182,7 @@ CheckReport check(const model::Case& model) {
     io::RestartHeader header;
     header.case_name = caseName(model);
     const build::Outputs<Dim> outputs(
-        {model, *world, relations, {}, {}, {}, methods.all(), header, {}, {}}, true);
+        {model, *world, relations, {}, {}, {}, methods.all(), context.loads, header, {}, {}}, true);
 
     std::string out = "bodies\n";
     for (const auto& body : world->bodies) {

@@ -51,8 +51,9 @@ void Simulation<Dim>::prepare() {
         model_,          *world_,
         *relations_,     folder_,
         provenance_,     [this] { return runner_->progress(); },
-        methods_->all(), restartHeader(),
-        restartBodies(), [this](Archive& archive) { transfer(archive); }};
+        methods_->all(), context_->loads,
+        restartHeader(), restartBodies(),
+        [this](Archive& archive) { transfer(archive); }};
     outputs_.emplace(tools, options_.outputs);
     outputs_->addTo(plan);
     runner_ = std::make_unique<loop::Runner>(std::move(plan));

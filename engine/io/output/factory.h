@@ -5,6 +5,7 @@
 #include "bodies/world.h"
 #include "core/output.h"
 #include "core/progress.h"
+#include "dynamics/context.h"
 #include "dynamics/dynamics.h"
 #include "input/declaration/component.h"
 #include "input/expressions/units.h"
@@ -38,8 +39,9 @@ struct OutputContext {
     Provenance provenance;
     std::shared_ptr<ResultsFile> results;  ///< results.h5
     std::function<Progress()> progress;    ///< called at writes only
-    /// Those that the loop calls: they know the forces between fluids and solids.
-    std::vector<const dynamics::Method*> methods;
+    std::vector<const dynamics::Method*> methods;  ///< those that the loop calls
+    /// Theirs, between fluids and solids.
+    std::vector<const dynamics::fluid::SolidLoad<Dim>*> loads;
     std::vector<Follower<Dim>> followers;
 
     /// nullptr where the points of the observer stay where they are.

@@ -53,6 +53,7 @@ struct Tank : Scene<Dim> {
         for (std::size_t i = 0; i < water->size(); ++i)
             p.scalar(fields::volume)[i] = p.scalar(fields::mass)[i] / p.scalar(fields::density)[i];
         acoustic.emplace(this->method("type: fluid.pressure_relaxation, body: water"));
+        acoustic_load = this->context.loads.back();
         viscous.emplace(viscosity("laplacian"));
         updateLists();
     }
@@ -63,6 +64,7 @@ struct Tank : Scene<Dim> {
     io::OutputContext<Dim> outputs() {
         io::OutputContext<Dim> context = outputContext(*this);
         context.methods = {acoustic->get(), viscous->get()};
+        context.loads = {acoustic_load, &viscous->template as<dynamics::fluid::SolidLoad<Dim>>()};
         return context;
     }
     ReducedBody<Dim> all(bodies::Body<Dim>& body) { return {{&body}, {}, {}, &this->relations}; }
@@ -85,6 +87,7 @@ struct Tank : Scene<Dim> {
     bodies::Body<Dim>* left;
     bodies::Body<Dim>* right;
     std::optional<MadeMethod<Dim>> acoustic;
+    const dynamics::fluid::SolidLoad<Dim>* acoustic_load;
     std::optional<MadeMethod<Dim>> viscous;
 };
 

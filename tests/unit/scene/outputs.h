@@ -15,7 +15,7 @@ namespace sphinx::test {
 template <int Dim>
 io::OutputContext<Dim> outputContext(Scene<Dim>& scene, const io::Path& folder = {}) {
     return {scene.world, scene.relations,           folder, {}, {},
-            nullptr,     [] { return Progress{}; }, {},     {}};
+            nullptr,     [] { return Progress{}; }, {},     {}, {}};
 }
 
 /// What throws, says.
