@@ -62,10 +62,9 @@ template <int Dim>
 Outputs<Dim>::Outputs(const OutputTools<Dim>& tools, bool files) {
     const auto results =
         std::make_shared<io::ResultsFile>(tools.folder / "results.h5", tools.provenance);
-    const io::OutputContext<Dim> context{tools.world,       tools.relations,  tools.folder,
-                                         tools.model.units, tools.provenance, results,
-                                         tools.progress,    tools.methods,    tools.loads,
-                                         followers(tools)};
+    const io::OutputContext<Dim> context{
+        tools.world, tools.relations, tools.folder,  tools.model.units, tools.provenance,
+        results,     tools.progress,  tools.methods, tools.loads,       followers(tools)};
     FileOwners owners;
     for (const model::Output& source : tools.model.outputs) {
         const std::string& type = source.declaration->name();

@@ -25,7 +25,7 @@ struct OutputTools {
     io::Path folder;
     io::Provenance provenance;
     std::function<Progress()> progress;
-    std::vector<const dynamics::Method*> methods;  ///< those of the loop
+    std::vector<const dynamics::Method*> methods;               ///< those of the loop
     std::vector<const dynamics::fluid::SolidLoad<Dim>*> loads;  ///< theirs
     io::RestartHeader restart_header;
     std::vector<io::RestartBody<Dim>> restart_bodies;

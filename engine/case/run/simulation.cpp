@@ -47,13 +47,17 @@ Simulation<Dim>::Simulation(const model::Case& model, const RunOptions& options,
 template <int Dim>
 void Simulation<Dim>::prepare() {
     loop::Plan plan = build::bindPlan<Dim>(placed_.facts.plan, model_, *world_, *methods_);
-    const build::OutputTools<Dim> tools{
-        model_,          *world_,
-        *relations_,     folder_,
-        provenance_,     [this] { return runner_->progress(); },
-        methods_->all(), context_->loads,
-        restartHeader(), restartBodies(),
-        [this](Archive& archive) { transfer(archive); }};
+    const build::OutputTools<Dim> tools{model_,
+                                        *world_,
+                                        *relations_,
+                                        folder_,
+                                        provenance_,
+                                        [this] { return runner_->progress(); },
+                                        methods_->all(),
+                                        context_->loads,
+                                        restartHeader(),
+                                        restartBodies(),
+                                        [this](Archive& archive) { transfer(archive); }};
     outputs_.emplace(tools, options_.outputs);
     outputs_->addTo(plan);
     runner_ = std::make_unique<loop::Runner>(std::move(plan));

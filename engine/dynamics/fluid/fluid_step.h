@@ -45,8 +45,8 @@ namespace sphinx::dynamics::fluid {
 /// Where the fluid is slack (fields::slack) it has the pressure and the volume of max(rho, rho0),
 /// and a wall's p* is not negative: nothing pulls it.
 ///
-/// Phase by phase, so that fluids that see each other are stepped together (pressure_relaxation.cpp).
-/// Their pairs have terms of their own (terms/interface.h).
+/// Phase by phase, so that fluids that see each other are stepped together
+/// (pressure_relaxation.cpp). Their pairs have terms of their own (terms/interface.h).
 template <int Dim>
 class FluidStep final : public SolidLoad<Dim> {
  public:

@@ -37,8 +37,8 @@ struct OutputContext {
     Path folder;  ///< of the results; it exists when outputs write
     input::UnitSystem units;
     Provenance provenance;
-    std::shared_ptr<ResultsFile> results;  ///< results.h5
-    std::function<Progress()> progress;    ///< called at writes only
+    std::shared_ptr<ResultsFile> results;          ///< results.h5
+    std::function<Progress()> progress;            ///< called at writes only
     std::vector<const dynamics::Method*> methods;  ///< those that the loop calls
     /// Theirs, between fluids and solids.
     std::vector<const dynamics::fluid::SolidLoad<Dim>*> loads;
