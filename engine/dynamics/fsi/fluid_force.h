@@ -61,6 +61,9 @@ class FluidForce final : public Method {
 /// A rule: a fluid pushes the bodies that it sees.
 void checkSight(const input::Component& method, WrittenCase& written);
 
+/// A rule: a body that feels one of the fluids that see it feels the others.
+void checkOtherFluids(const input::Component& method, WrittenCase& written);
+
 /// A rule: rigid bodies get forces where a mechanism moves them.
 void checkResponds(const input::Component& method, WrittenCase& written);
 

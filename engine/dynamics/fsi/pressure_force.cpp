@@ -8,6 +8,7 @@ namespace sphinx::dynamics::fsi {
 void declarePressureForce(input::Registry& registry) {
     auto& d =
         declareFluidForce<fluid::LoadKind::pressure>(registry, "fsi.pressure_force", "pushes");
+    d.rule(checkOtherFluids);
     d.summary(
         "Pressure of a fluid on the particles of an elastic body; after the first half of the "
         "fluid's pressure relaxation");
