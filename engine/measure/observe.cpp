@@ -145,14 +145,15 @@ std::unique_ptr<Output> makeObserve(const ObserveParameters& p, const input::Com
         io::failAt(p.observer.place,
                    "the observer '" + observer.name + "' sees no body; name some in topology");
     if (p.quantity) {
-        if (follower)
+        if (follower && !follower->solid)
             io::failAt(p.observer.place,
-                       "the elevation of the surface is observed at points fixed in "
-                       "space, but '" +
+                       "the elevation of the surface is observed at points fixed in space, or "
+                       "carried along by a rigid body, but '" +
                            observer.name + "' follows " + followed);
-        return io::makeRowsOutput(component, context,
-                                  {p, "surface_elevation at " + lookedAt(observer)},
-                                  makeElevationSource(observer, p.observer.place, context));
+        return io::makeRowsOutput(
+            component, context,
+            {p, "surface_elevation at " + (follower ? followed + " " : "") + lookedAt(observer)},
+            makeElevationSource(observer, follower, p.observer.place, context));
     }
     std::vector<std::vector<const particles::FieldBase*>> fields = observedFields(p, observer);
     std::unique_ptr<ObserveWeights<Dim>> weights;

@@ -8,6 +8,24 @@
 
 namespace sphinx::measure {
 
+/// Points that a solid carries along.
+template <int Dim>
+class CarriedPoints {
+ public:
+    /// `start`: where they are while the particles of the solid are where they began.
+    CarriedPoints(const io::Follower<Dim>& follower, std::vector<Vec<Dim>> start,
+                  const bodies::World<Dim>& world)
+        : follower_(follower), start_(std::move(start)), world_(&world) {}
+
+    /// Where they are now. Throws PhysicsError where the solid has not moved as a rigid body.
+    std::vector<Vec<Dim>> now() const;
+
+ private:
+    io::Follower<Dim> follower_;
+    std::vector<Vec<Dim>> start_;
+    const bodies::World<Dim>* world_;
+};
+
 /// The weights of points that a solid carries along: they move with it, and look at what the
 /// observer sees where they are.
 template <int Dim>
@@ -23,11 +41,11 @@ class CarriedWeights final : public ObserveWeights<Dim> {
 
  private:
     bodies::Body<Dim>* observer_;
-    io::Follower<Dim> follower_;
-    const bodies::World<Dim>* world_;
-    std::vector<Vec<Dim>> start_;
+    CarriedPoints<Dim> points_;
 };
 
+extern template class CarriedPoints<2>;
+extern template class CarriedPoints<3>;
 extern template class CarriedWeights<2>;
 extern template class CarriedWeights<3>;
 

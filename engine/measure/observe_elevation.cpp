@@ -29,19 +29,21 @@ constexpr double least_space = 0.2;
 template <int Dim>
 ElevationSource<Dim>::ElevationSource(const std::vector<Vec<Dim>>& points,
                                       std::vector<Filler> fluids, std::vector<Filler> solids,
-                                      const bodies::Domain<Dim>& domain, const Vec<Dim>& up,
-                                      const input::UnitSystem& units)
-    : fillers_(std::move(fluids)), fluids_(fillers_.size()), domain_(&domain), up_(up) {
+                                      const Vec<Dim>& up, const input::UnitSystem& units,
+                                      const io::Follower<Dim>* follower,
+                                      const bodies::World<Dim>& world)
+    : fillers_(std::move(fluids)), fluids_(fillers_.size()), domain_(&world.domain), up_(up) {
     spacing_ = fillers_.front().body->spacing;
     for (const Filler& fluid : fillers_) spacing_ = std::min(spacing_, fluid.body->spacing);
     fillers_.insert(fillers_.end(), solids.begin(), solids.end());
     for (const Vec<Dim>& point : points) {
         const auto above = [&](const Vec<Dim>& gauge) {
-            const Vec<Dim> d = domain.difference(point, gauge);
+            const Vec<Dim> d = domain_->difference(point, gauge);
             return (d - up * up.dot(d)).norm() < 1e-6 * spacing_;
         };
         if (std::none_of(gauges_.begin(), gauges_.end(), above)) gauges_.push_back(point);
     }
+    if (follower) carried_.emplace(*follower, gauges_, world);
     const std::string length = units.text(unit::length);
     quantities_ = {
         {"elevation", length, "height of the free surface against gravity",
@@ -52,6 +54,7 @@ ElevationSource<Dim>::ElevationSource(const std::vector<Vec<Dim>>& points,
 
 template <int Dim>
 void ElevationSource<Dim>::sample(const Clock&, std::span<double> row) {
+    if (carried_) gauges_ = carried_->now();
     parallelFor(
         gauges_.size(), [&](std::size_t k) { row[k] = elevation(gauges_[k]); }, 1);
     for (std::size_t k = 0; k < gauges_.size(); ++k)
@@ -116,6 +119,7 @@ double ElevationSource<Dim>::elevation(const Vec<Dim>& point) const {
 
 template <int Dim>
 std::unique_ptr<io::SeriesSource> makeElevationSource(const bodies::Body<Dim>& observer,
+                                                      const io::Follower<Dim>* follower,
                                                       const input::Place& place,
                                                       const io::OutputContext<Dim>& context) {
     using Filler = typename ElevationSource<Dim>::Filler;
@@ -141,15 +145,17 @@ std::unique_ptr<io::SeriesSource> makeElevationSource(const bodies::Body<Dim>& o
     const Vec<Dim>* position = observer.particles.position().data();
     return std::make_unique<ElevationSource<Dim>>(
         std::vector<Vec<Dim>>(position, position + observer.size()), std::move(fluids),
-        std::move(solids), context.world.domain, up, context.units);
+        std::move(solids), up, context.units, follower, context.world);
 }
 
 template class ElevationSource<2>;
 template class ElevationSource<3>;
 template std::unique_ptr<io::SeriesSource> makeElevationSource<2>(const bodies::Body<2>&,
+                                                                  const io::Follower<2>*,
                                                                   const input::Place&,
                                                                   const io::OutputContext<2>&);
 template std::unique_ptr<io::SeriesSource> makeElevationSource<3>(const bodies::Body<3>&,
+                                                                  const io::Follower<3>*,
                                                                   const input::Place&,
                                                                   const io::OutputContext<3>&);
 

@@ -4,6 +4,9 @@
 
 #include "io/output/factory.h"
 #include "io/series/series.h"
+#include "measure/observe_carried.h"
+
+#include <optional>
 
 namespace sphinx::measure {
 
@@ -18,6 +21,8 @@ namespace sphinx::measure {
 /// F >= (1 - S)/2, which is then bisected. So a single drop (F < 1/2) does not count, but a jet or
 /// sheet above the surface does. NaN: no fluid there, or the gauge is inside of a solid.
 ///
+/// A gauge may follow a rigid body: it stays along gravity, through its point where that is now.
+///
 /// A gauge costs one pass over the particles of the fluids and of the solids that they see.
 template <int Dim>
 class ElevationSource final : public io::SeriesSource {
@@ -26,10 +31,11 @@ class ElevationSource final : public io::SeriesSource {
         const bodies::Body<Dim>* body;
         const particles::Field<double>* volume;
     };
-    /// `up`: unit vector. Points that lie above each other make one gauge.
+    /// `up`: unit vector. Points that lie above each other at the start make one gauge, which
+    /// follows what `follower` says, if anything.
     ElevationSource(const std::vector<Vec<Dim>>& points, std::vector<Filler> fluids,
-                    std::vector<Filler> solids, const bodies::Domain<Dim>& domain,
-                    const Vec<Dim>& up, const input::UnitSystem& units);
+                    std::vector<Filler> solids, const Vec<Dim>& up, const input::UnitSystem& units,
+                    const io::Follower<Dim>* follower, const bodies::World<Dim>& world);
 
     const std::vector<io::SeriesQuantity>& quantities() const override { return quantities_; }
     void sample(const Clock& clock, std::span<double> row) override;
@@ -43,12 +49,15 @@ class ElevationSource final : public io::SeriesSource {
     Vec<Dim> up_;
     double spacing_;
     std::vector<Vec<Dim>> gauges_;
+    std::optional<CarriedPoints<Dim>> carried_;
     std::vector<io::SeriesQuantity> quantities_;
 };
 
-/// Throws CaseError at the place when the observer sees no fluid.
+/// Throws CaseError at the place when the observer sees no fluid. `follower`: null for gauges that
+/// are fixed in space.
 template <int Dim>
 std::unique_ptr<io::SeriesSource> makeElevationSource(const bodies::Body<Dim>& observer,
+                                                      const io::Follower<Dim>* follower,
                                                       const input::Place& place,
                                                       const io::OutputContext<Dim>& context);
 

@@ -16,7 +16,7 @@ namespace {
 
 template <int Dim>
 std::vector<double> elevations(Scene<Dim>& scene, bodies::Body<Dim>& observer) {
-    return rowOf(*makeElevationSource(observer, {}, outputContext(scene)));
+    return rowOf(*makeElevationSource<Dim>(observer, nullptr, {}, outputContext(scene)));
 }
 
 }  // namespace
