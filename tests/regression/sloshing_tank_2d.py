@@ -42,7 +42,7 @@ def measure(rows, ratio=0.7, *settings):
     t, left, right = (gauges[name] for name in ("time", "elevation_0", "elevation_1"))
     wave, exact = (left - right) / 2, linear(t, ratio * FIRST)
     return {"t": t, "wave": wave, "exact": exact, "error": np.sqrt(np.mean((wave - exact) ** 2)) / exact.max(),
-            "level": ((left + right) / 2 - DEPTH)[t > 5].mean() * rows / DEPTH, "run": run}
+            "level": ((left + right) / 2 - DEPTH)[t > t[-1] - 1].mean() * rows / DEPTH}
 
 
 def resonance(rows):
