@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -29,7 +30,15 @@ struct ViscousRates {
     double walls = 0;  ///< what solids have in it
     /// Least density of the elastic bodies that they push.
     double lightest_solid = std::numeric_limits<double>::infinity();
+    /// Whether a method solves for them: then they limit no step of the fluid (unless another one
+    /// that does not has announced some in `whole`), but what elastic bodies get they get
+    /// explicitly.
+    bool implicit = false;
+    double implicit_walls = 0;  ///< as `walls`
 
+    bool limitSteps() const { return whole > 0 || !implicit; }
+    /// Of change of the velocity of solids that a solved force pushes, 1/time.
+    double implicitRate() const { return implicit_walls / lightest_solid; }
     /// Of change of a velocity, 1/time, in a fluid of that density. Light solids change faster.
     double rate(double density) const {
         return whole / density + walls * std::max(0.0, 1 / lightest_solid - 1 / density);
@@ -42,6 +51,8 @@ struct FluidRole {
     std::shared_ptr<const materials::Fluid> material;
     Vec<Dim> gravity = Vec<Dim>::Zero();  ///< sum of its uniform gravities, acceleration
     ViscousRates viscous = {};
+    /// Counts what changes velocities between the halves of an acoustic step.
+    std::uint64_t kicks = 0;
 };
 
 /// Does not deform: stands still, moves as prescribed, or as a mechanism moves it (multibody).

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,8 @@ class Method {
     virtual void prepare() {}
     /// Particles that one call works on, for the profile's ns per particle.
     virtual std::size_t workSize() const = 0;
+    /// Of an iterative solver, in all calls of this process; for the profile.
+    virtual std::int64_t iterations() const { return 0; }
     /// The window of a line that has called it is over (`until`): takes back what it has left for
     /// others and what would otherwise stay as if it still acted.
     virtual void rest() {}

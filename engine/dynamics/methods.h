@@ -23,6 +23,7 @@ void declareAcousticTimeStep(input::Registry& registry);
 void declareAdvectionTimeStep(input::Registry& registry);
 void declareAveragePressure(input::Registry& registry);
 void declareDensitySummation(input::Registry& registry);
+void declareImplicitViscosity(input::Registry& registry);
 void declarePolymerStress(input::Registry& registry);
 void declarePressureRelaxation(input::Registry& registry);
 void declareTransportVelocity(input::Registry& registry);

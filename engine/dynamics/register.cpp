@@ -17,6 +17,7 @@ void registerDynamics(input::Registry& registry) {
     fluid::declareAdvectionTimeStep(registry);
     fluid::declareAveragePressure(registry);
     fluid::declareDensitySummation(registry);
+    fluid::declareImplicitViscosity(registry);
     fluid::declarePolymerStress(registry);
     fluid::declarePressureRelaxation(registry);
     fluid::declareTransportVelocity(registry);

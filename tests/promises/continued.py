@@ -10,6 +10,7 @@ from support import Promise, Restart, last_restart, restarts
 
 ALL_RESTARTS = 1000
 CASES = ("splash_2d", "splash_3d",
+         "honey_2d",     # viscosity that is solved for
          "channel_2d",   # periodic
          "polymers_2d", "thinning_2d",
          "liquids_2d", "oil_gate_2d",

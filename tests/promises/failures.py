@@ -50,6 +50,18 @@ class BlownUp(Promise):
                                   r"after \S+ at time 0\.(29|3)\d*;")
         self.good_restarts(output, 0.25)
 
+    def test_solver_that_does_not_converge(self):
+        case = load_case("honey_2d")
+        case["dynamics"]["viscosity"].update(tolerance=1e-8, most_iterations=12)
+        case["dynamics"]["gravity"] = {"type": "force.body_force", "body": "water",
+                                       "acceleration": ["t < 0.3 ? 0 : 10*sin(40*x)", "0"]}
+        case["outputs"] = {"restart": {"type": "restart", "every": {"time": 0.1}}}
+        output = self.folder / "out"
+        said = self.sphinx(self.write_case("unsolved", case), output, expect=3)
+        self.assertRegex(said, r"error: fluid.implicit_viscosity of water does not converge at time 0\.3\d*: after 12 "
+                               r"iterations velocities are off by [\d.e-]+ \(rms\)")
+        self.good_restarts(output, 0.2)
+
     def test_number_that_stops_being_one_before_a_sort(self):
         # Every step sorts into cells what has just stopped having a place.
         force = "{type: force.body_force, body: water, acceleration: ['sqrt(0.3 - t)', -1]}"

@@ -98,6 +98,9 @@ class Order(Promise):
                                     "quantity": "surface_elevation"}
         self.same_in_any_order(case)
 
+    def test_honey(self):
+        self.same_in_any_order(load_case("honey_2d"))
+
     def test_drop_without_gravity(self):
         case = load_case("free_2d")
         case["outputs"]["frames"]["every"] = {"time": 0.1}

@@ -31,6 +31,9 @@ class Threads(Promise):
     def test_3d(self):
         self.same_for_all_threads("splash_3d", {"variables__spacing": 0.4 / 16, "loop__end_time": 0.2})
 
+    def test_solver(self):
+        self.same_for_all_threads("honey_2d", {"variables__spacing": 0.6 / 81, "loop__end_time": 0.08})
+
     def test_stress_of_fluids(self):
         for name in ("polymers_2d", "thinning_2d"):
             with self.subTest(case=name):

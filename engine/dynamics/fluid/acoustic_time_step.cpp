@@ -4,6 +4,7 @@
 #include "dynamics/methods.h"
 #include "materials/fluid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -16,6 +17,9 @@ namespace {
 /// ratios: 2D 0.727, quintic spline 0.927; 3D 0.630, quintic spline 0.815. From the eigenvalues of
 /// a step over all wave numbers, with the jumps of the Riemann problem, which are what limits it;
 /// acoustic_step.md has the equations, and experiments with walls, disorder and flows.
+///
+/// An elastic body that the force of fluid.implicit_viscosity pushes gets it explicitly: in a step
+/// its surface, were it free, follows the fluid that much of the way, at most all of it.
 struct AcousticTimeStepParameters {
     input::Name body;
     std::optional<double> cfl;
@@ -36,11 +40,16 @@ void declareAcousticTimeStep(input::Registry& registry) {
             const double c0 = body.fluid().material->soundSpeed();
             return [&, cfl = p.cfl.value_or(acousticCfl(body.kernel.type(), Dim)), c0] {
                 const double speed2 = largestSquaredSpeed(body);
-                return cfl * body.kernel.smoothingLength() / (c0 + std::sqrt(speed2));
+                const double step = cfl * body.kernel.smoothingLength() / (c0 + std::sqrt(speed2));
+                const double rate = body.fluid().viscous.implicitRate();
+                return rate > 0 ? std::min(step, 1 / rate) : step;
             };
         });
     d.summary("Time step by the speed of sound");
-    d.formula("guide (53): cfl h / (c0 + abs(v)_max)");
+    d.formula(
+        "guide (53): cfl h / (c0 + abs(v)_max); where fluid.implicit_viscosity drags elastic "
+        "bodies, no more than 1 / lambda_w, the largest rate at which it changes the velocity of a "
+        "particle of the lightest of them");
     d.cite("guide", "(53)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.optional(

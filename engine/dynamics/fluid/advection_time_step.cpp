@@ -20,6 +20,7 @@ namespace {
 ///   feeds noise at a rate that grows with p and with the step. free_surface.md has a tank.
 /// - It is no more than 2 / lambda, beyond which the viscous force swings up whatever the factor.
 ///   lambda is the largest rate at which it changes velocities (viscous_bound.h).
+/// - Where fluid.implicit_viscosity solves for the viscous force, neither that nor h^2/nu counts.
 /// - Of polymers it is no more than half of what their stress bears (elastic_step.h); with the
 ///   viscous force, no more than makes both shares of their limits 1.
 /// The viscosity of a generalised Newtonian fluid is the largest that the viscous force has found
@@ -70,12 +71,13 @@ void declareAdvectionTimeStep(input::Registry& registry) {
                     varying ? largestViscosity(*varying, body, *viscosity, p.reference_speed / h)
                             : fluid.viscosity();
                 const double nu = mu / fluid.density();
-                if (nu == 0 && !polymers) return cfl * step;
-                double rate = body.fluid().viscous.rate(fluid.density());
+                const bool viscous = nu > 0 && body.fluid().viscous.limitSteps();
+                if (!viscous && !polymers) return cfl * step;
+                double rate = viscous ? body.fluid().viscous.rate(fluid.density()) : 0;
                 if (varying) rate *= mu / fluid.viscosity();
                 if (polymers)
                     rate += 2 / elasticStep(*polymers, largestTrace(body, *conformation), gradient);
-                const double flow = nu > 0 ? std::min(step, h * h / nu) : step;
+                const double flow = viscous ? std::min(step, h * h / nu) : step;
                 return std::min(cfl * flow, rate > 0 ? 2 / rate : step);
             };
         });
@@ -89,7 +91,8 @@ void declareAdvectionTimeStep(input::Registry& registry) {
         "place of 1/rho for the lightest elastic body that fsi.viscous_force pushes, where it is "
         "lighter than the fluid; with polymers 2 / (lambda + 2/dt_e), dt_e their own limit, half "
         "of "
-        "the step in which a wave of their tension crosses the gradient of the kernel");
+        "the step in which a wave of their tension crosses the gradient of the kernel; with "
+        "fluid.implicit_viscosity neither h^2 / nu nor lambda counts");
     d.cite("guide", "(52)").cite("Zhang, Hu & Adams 2017");
     d.required("body", &P::body, input::bodyReference({"fluid"}), "fluid");
     d.required("reference_speed", &P::reference_speed, input::number(unit::velocity).above(0),

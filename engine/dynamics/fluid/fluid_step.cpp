@@ -83,6 +83,7 @@ void FluidStep<Dim>::kick(const Clock& clock) {
     withPrecision(around_.own().precision(), [&]<class Real>() {
         withRiemann(riemann_, [&]<Riemann R>() { momentum<R, Real>(clock.dt); });
     });
+    kicks_ = body_->fluid().kicks;
     ++body_->version;
 }
 
@@ -91,7 +92,10 @@ void FluidStep<Dim>::answerSolids(const Clock& clock) {
     this->actedAt(clock.time);
     last_dt_ = clock.dt;
     around_.look();
-    withPrecision(around_.own().precision(), [&]<class Real>() { addSlipImpulses<Real>(); });
+    withPrecision(around_.own().precision(), [&]<class Real>() {
+        if (body_->fluid().kicks != kicks_) recordVelocities<Real>();
+        addSlipImpulses<Real>();
+    });
 }
 
 template <int Dim>
@@ -142,6 +146,17 @@ template <class Real>
     VecOf<Dim, Wide> relative;
     for (int c = 0; c < Dim; ++c) relative[c] = per_c0 * (v[c] - mean_velocity_[c]);
     records_.template put<Real>(around_.own(), group, relative, per_pressure * p, per_cell * V);
+}
+
+/// What the continuity sum reads of a group.
+template <int Dim>
+template <class Real>
+[[gnu::always_inline]] inline void FluidStep<Dim>::recordKicked(const Group& group,
+                                                                const VecOf<Dim, Wide>& v) {
+    const VecOf<Dim, Wide> x = load(position_, group);
+    Wide hydrostatic = weight_[0] * x[0];
+    for (int c = 1; c < Dim; ++c) hydrostatic += weight_[c] * x[c];
+    record<Real>(group, v, load(pressure_, group) - hydrostatic, load(volume_, group));
 }
 
 template <int Dim>
@@ -200,12 +215,16 @@ void FluidStep<Dim>::momentum(double dt) {
                         v += factor * force;
                         v += dt * load(external_, group);
                         store(v, velocity_, group);
-                        const VecOf<Dim, Wide> x = load(position_, group);
-                        Wide hydrostatic = weight_[0] * x[0];
-                        for (int c = 1; c < Dim; ++c) hydrostatic += weight_[c] * x[c];
-                        record<Real>(group, v, load(pressure_, group) - hydrostatic,
-                                     load(volume_, group));
+                        recordKicked<Real>(group, v);
                     });
+}
+
+template <int Dim>
+template <class Real>
+void FluidStep<Dim>::recordVelocities() {
+    parallelForGroups(body_->size(), [&](const Group& group) {
+        recordKicked<Real>(group, load(velocity_, group));
+    });
 }
 
 /// Adds sum_j 2 p*_ij e_ij W' V_i V_j over the particles of a wall.

@@ -94,8 +94,13 @@ class FluidStep final : public SolidLoad<Dim> {
     bool isReadLater() const { return loads_solids_ || !liquids_.empty(); }
     template <class Real>
     void predict(double dt);
+    /// Anew, where velocities have changed since the first half.
+    template <class Real>
+    void recordVelocities();
     template <class Real>
     void record(const Group& group, const VecOf<Dim, Wide>& v, Wide p, Wide V);
+    template <class Real>
+    void recordKicked(const Group& group, const VecOf<Dim, Wide>& v);
     /// The mean weight of the fluid in the frame of its walls, and its mean velocity.
     void findMeans();
     /// Gives back what elastic solids have lost by the impedance of the fluid (Radiation).
@@ -136,6 +141,7 @@ class FluidStep final : public SolidLoad<Dim> {
     Vec<Dim> weight_ = Vec<Dim>::Zero();         // per volume
     Vec<Dim> mean_velocity_ = Vec<Dim>::Zero();  // in records it is taken off, which saves digits
     double interval_start_ = nan_value;
+    std::uint64_t kicks_ = 0;           // FluidRole::kicks of the velocities in records
     mutable Surroundings<Dim> around_;  // looks at walls anew for a load
     std::vector<Neighbor> liquids_;
 

@@ -21,6 +21,8 @@ class VelocitySteps {
         const double fastest = std::sqrt(largestSquaredSpeed<Dim>(body));
         speed_ = fastest > 0 ? fastest : body.fluid().material->soundSpeed();
     }
+    /// For numbers up to `largest`, which is positive.
+    explicit VelocitySteps(double largest) : speed_(largest) {}
     static constexpr double steps = 0x1p29;  ///< of the largest speed: differences are below 2^31
     double speed() const { return speed_; }
 

@@ -49,4 +49,20 @@ struct ViscousForceParameters {
     ViscousForm form = ViscousForm::laplacian;
 };
 
+/// What a case may write for them.
+inline auto wallSlips() {
+    return input::choice<WallSlip>({
+        {"no_slip", WallSlip::no_slip, "the fluid sticks to solids"},
+        {"free_slip", WallSlip::free_slip, "solids exert no viscous force"},
+    });
+}
+inline auto viscousForms() {
+    return input::choice<ViscousForm>({
+        {"laplacian", ViscousForm::laplacian, "exact in shear flow along walls"},
+        {"central", ViscousForm::central,
+         "guide (35): conserves angular momentum, for free fluid that turns; up to 18 % too weak "
+         "in shear flow along walls"},
+    });
+}
+
 }  // namespace sphinx::dynamics::fluid

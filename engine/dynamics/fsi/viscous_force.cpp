@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The sphinx developers
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/fluid/viscous_force.h"
+#include "dynamics/fluid/implicit_viscosity.h"
 #include "dynamics/fsi/fluid_force.h"
 #include "dynamics/methods.h"
 
@@ -15,11 +15,14 @@ void checkEffect(const input::Component& method, BuiltCase<Dim>& built) {
     const std::string& fluid = method.as<FluidForceParameters>().from.text;
     bool applied = false;
     bool sticks = false;
-    for (const input::Component* other : built.called) {
-        const auto* p = other->template find<fluid::ViscousForceParameters>();
-        if (!p || p->body.text != fluid) continue;
+    const auto look = [&](const auto* p) {
+        if (!p || p->body.text != fluid) return;
         applied = true;
         sticks = sticks || p->wall == fluid::WallSlip::no_slip;
+    };
+    for (const input::Component* other : built.called) {
+        look(other->template find<fluid::ViscousForceParameters>());
+        look(other->template find<fluid::ImplicitViscosityParameters>());
     }
     if (applied && !sticks)
         built.diagnostics.warning(

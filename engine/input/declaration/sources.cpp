@@ -27,6 +27,10 @@ std::span<const Publication> publications() {
                     "P. J. Carreau, Rheological equations from molecular network theories, Trans. "
                     "Soc. Rheol. 16, 99-127, 1972",
                     "10.1122/1.549276"},
+        Publication{"Hestenes & Stiefel 1952",
+                    "M. R. Hestenes, E. Stiefel, Methods of conjugate gradients for solving linear "
+                    "systems, J. Res. Natl. Bur. Stand. 49, 409-436, 1952",
+                    "10.6028/jres.049.044"},
         Publication{"Holzapfel & Ogden 2009",
                     "G. A. Holzapfel, R. W. Ogden, Constitutive modelling of passive myocardium: a "
                     "structurally based framework for material characterization, Phil. Trans. R. "

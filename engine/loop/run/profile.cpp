@@ -27,10 +27,12 @@ ProfileLine profileLayer(const LayerRun& layer,
         whole.lines.push_back(
             profileLine(layer.layer().dt[k].label, "time_step", layer.estimateTallies()[k]));
     for (const LayerRun::Line& line : layer.lines()) {
-        if (const auto* call = std::get_if<LayerRun::CallRun>(&line))
+        if (const auto* call = std::get_if<LayerRun::CallRun>(&line)) {
             whole.lines.push_back(profileLine(call->call->label, "call", call->tally));
-        else
+            whole.lines.back().iterations = call->call->method->iterations();
+        } else {
             whole.lines.push_back(profileLayer(*std::get<std::unique_ptr<LayerRun>>(line), steps));
+        }
     }
     return whole;
 }
@@ -82,6 +84,10 @@ std::vector<std::string> profileTable(const Profile& profile) {
         table.push_back(fmt::format(
             "{:<{}}  {:>10}  {:>11.3f}  {:>11}  {:>6.1f}%", row.label, width, row.line->calls,
             row.line->seconds, cost ? fmt::format("{:.1f}", *cost) : "", 100 * row.line->share));
+        if (row.line->iterations > 0 && row.line->calls > 0)
+            table.back() += fmt::format(
+                "  {:.1f} iterations a call",
+                static_cast<double>(row.line->iterations) / static_cast<double>(row.line->calls));
     };
     for (const Row& row : loop) add(row);
     const auto addGroup = [&](const char* title, double seconds, const std::vector<Row>& rows) {

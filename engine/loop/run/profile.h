@@ -22,6 +22,7 @@ struct ProfileLine {
     std::optional<double> nanoseconds_per_particle;  ///< nothing for lines without particles
     double share = 0;                                ///< of loop_seconds
     std::vector<ProfileLine> lines;
+    std::int64_t iterations = 0;  ///< of a solver, in all calls
 };
 
 /// Cost of this process's part of a run, in the shape of its loop.
@@ -51,7 +52,8 @@ void setShares(Profile& profile);
 std::vector<std::string> profileTable(const Profile& profile);
 /// {"time": t, "finished": true, "loop_seconds": s, ..., "steps": {LAYER: n}, "lines": [...],
 /// "start": [...], "outputs": [...], "writing": [...]}; a line is {"label", "kind", "calls",
-/// "seconds", "ns_per_particle" or null, "share", "lines"}.
+/// "seconds", "ns_per_particle" or null, "share", "lines"}, and where it solves something
+/// "iterations" in all its calls.
 std::string profileJson(const Profile& profile);
 /// Writes profileJson(). Throws FileError.
 void writeProfile(const Profile& profile, const std::filesystem::path& path);

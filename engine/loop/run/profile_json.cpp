@@ -26,6 +26,7 @@ Node linesNode(const std::vector<ProfileLine>& lines) {
         const auto& cost = line.nanoseconds_per_particle;
         one.set("ns_per_particle", cost ? Node::number(*cost) : Node{});
         one.set("share", Node::number(line.share));
+        if (line.iterations > 0) one.set("iterations", Node::integer(line.iterations));
         one.set("lines", linesNode(line.lines));
     }
     return list;

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -206,4 +207,15 @@ TEST_CASE("the profile as JSON") {
     read << std::ifstream(path).rdbuf();
     CHECK(read.str() == json);
     CHECK_THROWS_AS(writeProfile(plain(), "/nonexistent/profile.json"), FileError);
+}
+
+TEST_CASE("the profile tells how many iterations a solver took") {
+    Profile profile = plain();
+    CHECK(profileJson(profile).find("iterations") == std::string::npos);
+    profile.lines[0].lines[0].lines[1].iterations = 125;
+    CHECK(profileJson(profile).find("\"iterations\": 125") != std::string::npos);
+    const std::vector<std::string> table = profileTable(profile);
+    CHECK(std::count_if(table.begin(), table.end(), [](const std::string& row) {
+              return row.find("  2.5 iterations a call") != std::string::npos;
+          }) == 1);
 }
