@@ -261,14 +261,31 @@ inline HalfLanes loadThree(const double* p) {
 
 /// Numbers of which sums are exact, whatever the order: whole numbers, which are doubles where the
 /// processor has no fast conversion to integers. Sums stay below 2^51; beyond they are as good as
-/// plain ones there, but depend on the order.
+/// plain ones there, but depend on the order. The whole numbers have a sign, but are added modulo
+/// 2^64: where physics fails a sum may overflow before somebody notices.
 #if defined(__AVX512DQ__)
-using ExactNumber = std::int64_t;
+using ExactNumber = std::uint64_t;
 #else
 using ExactNumber = double;
 #endif
 using ExactLanes = ExactNumber __attribute__((vector_size(64)));
 using ExactQuad = ExactNumber __attribute__((vector_size(32)));
+
+inline double fromExact(ExactNumber a) {
+#if defined(__AVX512DQ__)
+    return static_cast<double>(static_cast<std::int64_t>(a));
+#else
+    return a;
+#endif
+}
+inline Lanes fromExact(ExactLanes a) {
+#if defined(__AVX512DQ__)
+    using Signed = std::int64_t __attribute__((vector_size(64)));
+    return __builtin_convertvector(reinterpret_cast<Signed>(a), Lanes);
+#else
+    return a;
+#endif
+}
 
 /// Rounded to whole numbers.
 inline ExactLanes toExact(Lanes a) {

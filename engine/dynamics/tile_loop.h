@@ -286,7 +286,7 @@ class TileSums {
     [[gnu::always_inline]] VecOf<N, Wide> load(const Index* places, double unit) const {
         VecOf<N, Wide> sums;
         const auto set = [&](int m, ExactLanes exact) {
-            sums[m] = unit * __builtin_convertvector(exact, Lanes);
+            sums[m] = unit * fromExact(exact);
         };
         if constexpr (N == 1) {
             const auto at = [&](int k) { return sums_[places[k]]; };

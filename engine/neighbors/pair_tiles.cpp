@@ -117,7 +117,7 @@ void PairTiles<Dim>::build(const Vec<Dim>* position, std::size_t n,
             const double unit = kernelUnit(kernel) / kernel_scale;
             for (Index s = chunk.first_slot; s < chunk.end_slot; ++s)
                 if (columns_.point(s) != none)
-                    kernel_sum_[columns_.point(s)] = unit * static_cast<double>(sums[s]);
+                    kernel_sum_[columns_.point(s)] = unit * fromExact(sums[s]);
         },
         1);
 }
