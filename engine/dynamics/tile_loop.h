@@ -285,9 +285,7 @@ class TileSums {
     /// Of the eight particles whose sums stand at these places.
     [[gnu::always_inline]] VecOf<N, Wide> load(const Index* places, double unit) const {
         VecOf<N, Wide> sums;
-        const auto set = [&](int m, ExactLanes exact) {
-            sums[m] = unit * fromExact(exact);
-        };
+        const auto set = [&](int m, ExactLanes exact) { sums[m] = unit * fromExact(exact); };
         if constexpr (N == 1) {
             const auto at = [&](int k) { return sums_[places[k]]; };
             set(0, ExactLanes{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)});
