@@ -29,7 +29,7 @@ void checkSums() {
     std::vector<ExactNumber> sums(9 * stride, 1);
     addOverJ<N>(terms, sums.data());
     for (int i = 0; i < tile_side; ++i)
-        for (int c = 0; c < N; ++c) CHECK(sums[i * stride + c] == 1 + 400 * i + 60 + 4 * c);
+        for (int c = 0; c < N; ++c) CHECK(fromExact(sums[i * stride + c]) == 1 + 400 * i + 60 + 4 * c);
 
     sums.assign(9 * stride, 1);
     const std::uint32_t slots[tile_side] = {7, 0, 8, 3};
@@ -37,7 +37,7 @@ void checkSums() {
     addOverI<N, 1>(terms, slots, sums.data());
     addOverI<N, 1>(terms, slots, sums.data());
     for (int j = 0; j < tile_side; ++j)
-        for (int c = 0; c < N; ++c) CHECK(sums[slots[j] * stride + c] == 1 + 600 + 40 * j + 4 * c);
+        for (int c = 0; c < N; ++c) CHECK(fromExact(sums[slots[j] * stride + c]) == 1 + 600 + 40 * j + 4 * c);
     for (const int other : {1, 2, 4, 5, 6})
         for (int c = 0; c < N; ++c) CHECK(sums[other * stride + c] == 1);
 }
