@@ -3,7 +3,6 @@
 #include "dynamics/fluid/transport_velocity.h"
 
 #include "core/exact_sum.h"
-#include "core/sum_all.h"
 #include "dynamics/fluid/mean.h"
 #include "dynamics/fluid/support.h"
 #include "dynamics/fluid/surroundings.h"
@@ -19,9 +18,6 @@ namespace {
 
 /// Of the gradient of the sum, in squared spacings.
 constexpr double shift_factor = 0.3;
-/// What the fluid moves in a step that has all of the shift, in spacings. A step by the speed of
-/// the flow is longer.
-constexpr double full_way = 0.2;
 
 template <int Dim>
 class TransportVelocity final : public Method {
@@ -39,12 +35,11 @@ class TransportVelocity final : public Method {
         if (p.surface == Surface::free) support_.emplace(context, *body_);
     }
 
-    void run(const Clock& clock) {
-        Mean<Dim> mean;
-        mean.add(velocity_, body_->size());
-        const double way = largestSpeed(mean.value()) * clock.dt / body_->spacing;
+    void run(const Clock&) {
         withPrecision(around_.own().precision(), [&]<class Real>() {
-            findShift<Real>(std::min(1.0, way / full_way));
+            findShift<Real>();
+            Mean<Dim> mean;
+            mean.add(velocity_, body_->size());
             for (int c = 0; c < Dim; ++c) carry<Real>(c, mean.value()[c]);
         });
         parallelForGroups(body_->size(), [&](const Group& group) {
@@ -56,15 +51,8 @@ class TransportVelocity final : public Method {
     std::size_t workSize() const override { return body_->size(); }
 
  private:
-    /// Of the particles, beside the mean of the fluid.
-    double largestSpeed(const Vec<Dim>& mean) const {
-        return std::sqrt(maxAll(body_->size(), 0.0, [&](std::size_t i) {
-            return Vec<Dim>(velocity_[i] - mean).squaredNorm();
-        }));
-    }
-    /// `part`: of the shift of a full step.
     template <class Real>
-    void findShift(double part);
+    void findShift();
     /// Of a component of the momentum, relative to the mean of that of the velocity.
     template <class Real>
     void carry(int component, double mean);
@@ -122,7 +110,7 @@ Vec<Dim> TransportVelocity<Dim>::liquidGradient(Index i) const {
 
 template <int Dim>
 template <class Real>
-void TransportVelocity<Dim>::findShift(double part) {
+void TransportVelocity<Dim>::findShift() {
     const PairTiles<Dim>& tiles = around_.own();
     using Side = TileSide<Dim, Real>;
     using Tile = TileOf<Real>;
@@ -151,7 +139,7 @@ void TransportVelocity<Dim>::findShift(double part) {
         const Vec<Dim> of_liquids = liquidGradient(i);
         for (int c = 0; c < Dim; ++c) gradient[c] += at_solids_[i][c] + of_liquids[c];
     };
-    const double factor = -part * shift_factor * body_->spacing * body_->spacing;
+    const double factor = -shift_factor * body_->spacing * body_->spacing;
     gradients_.forEach(tiles, n, cell_ * tiles.gradientUnit(), around_.atOthers(), addOthers,
                        [&](const Group& group, const VecOf<Dim, Wide>& gradient) {
                            VecOf<Dim, Wide> shift = factor * gradient;
@@ -210,8 +198,7 @@ void declareTransportVelocity(input::Registry& registry) {
     auto& d = declareMethod<TransportVelocity, P>(registry, "fluid.transport_velocity");
     d.summary("Evens out the particles of a fluid: they move with another velocity than its own");
     d.formula(
-        "s_i = -0.3 min(1, 5 v dt/dp) dp^2 sum_j e_ij W' V_j, v the largest speed beside the mean "
-        "of the fluid, added to the position in each step of its layer, and "
+        "s_i = -0.3 dp^2 sum_j e_ij W' V_j added to the position in each step of its layer, and "
         "the extra stress of guide (50): m_i dv_i = sum_j (rho_i v_i s_i + rho_j v_j s_j) . e_ij "
         "W' V_i V_j, v relative to the mean of the fluid");
     d.cite("guide", "(40), (48)-(51)").cite("Adami, Hu & Adams 2013");
