@@ -6,9 +6,9 @@
 
 namespace sphinx::dynamics {
 
-bool WrittenCase::isElastic(std::string_view body) const {
+bool WrittenCase::hasMaterial(std::string_view body, std::string_view trait) const {
     const auto material = materials.find(body);
-    return material != materials.end() && material->second->declaration->hasTrait("elastic");
+    return material != materials.end() && material->second->declaration->hasTrait(trait);
 }
 
 bool WrittenCase::responds(std::string_view body) const {

@@ -52,10 +52,13 @@ struct WrittenCase {
     std::map<std::string, input::Place, std::less<>> places;                ///< of bodies
     input::Diagnostics& diagnostics;
 
+    /// Whether the body has one, with that trait.
+    bool hasMaterial(std::string_view body, std::string_view trait) const;
     bool calls(const input::Component& method) const {
         return std::ranges::find(called, &method) != called.end();
     }
-    bool isElastic(std::string_view body) const;
+    bool isFluid(std::string_view body) const { return hasMaterial(body, "fluid"); }
+    bool isElastic(std::string_view body) const { return hasMaterial(body, "elastic"); }
     /// Whether the body is elastic, or rigid and carried by a body of the mechanism.
     bool responds(std::string_view body) const;
     bool sees(std::string_view body, std::string_view other) const {

@@ -4,6 +4,7 @@
 
 #include "core/errors.h"
 #include "core/sum_all.h"
+#include "dynamics/fluid/largest.h"
 #include "dynamics/fluid/viscous_bound.h"
 #include "dynamics/fluid/viscous_load.h"
 #include "dynamics/methods.h"
@@ -160,18 +161,12 @@ void ImplicitViscosity<Dim>::accelerations(const Vec<Dim>* v, double largest, bo
                   });
 }
 
-/// Largest norm of value(group), eight at a time.
+/// Largest norm of the vectors value(group).
 template <int Dim, class Value>
 double largestNorm(std::size_t n, Value&& value) {
-    return std::sqrt(reduceAll(
-        groupCount(n), 0.0,
-        [&](std::size_t begin, std::size_t end) __attribute__((flatten)) {
-            Wide largest = 0;
-            for (std::size_t number = begin; number < end; ++number)
-                largest = max(largest, VecOf<Dim, Wide>(value(groupOf(number, n))).squaredNorm());
-            return maxOf(largest);
-        },
-        [](double a, double b) { return b > a ? b : a; }, group_block));
+    return std::sqrt(largestOf(n, [&](const Group& group) -> Wide {
+        return VecOf<Dim, Wide>(value(group)).squaredNorm();
+    }));
 }
 
 template <int Dim>
@@ -256,14 +251,12 @@ void checkOnlyOne(const input::Component& method, WrittenCase& written) {
 }
 void checkNewtonian(const input::Component& method, WrittenCase& written) {
     const input::Name& body = method.as<ImplicitViscosityParameters>().body;
-    const auto material = written.materials.find(body.text);
-    if (material != written.materials.end() &&
-        material->second->declaration->hasTrait("generalised_newtonian"))
+    if (written.hasMaterial(body.text, "generalised_newtonian"))
         written.diagnostics.error(
             body.place, fmt::format("the viscosity of {} depends on the shear rate, which "
                                     "fluid.implicit_viscosity does not solve for: "
                                     "fluid.viscous_force does",
-                                    material->second->name));
+                                    written.materials.at(body.text)->name));
 }
 /// Bodies of a mechanism answer the fluid as a whole, which is not solved for.
 void checkCarried(const input::Component& method, WrittenCase& written) {

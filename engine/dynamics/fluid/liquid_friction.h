@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/exact_sum.h"
-#include "dynamics/fluid/surroundings.h"
-#include "dynamics/fluid/terms/viscosity.h"
+#include "dynamics/fluid/viscous_load.h"
 #include "dynamics/pair_loop.h"
 #include "materials/fluid.h"
 #include "neighbors/common_kernel.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace sphinx::dynamics::fluid {
@@ -36,13 +33,9 @@ class LiquidFriction {
             const auto& kernel = sphinx::neighbors::commonKernel(body, other);
             const double sums_to =
                 form == ViscousForm::laplacian ? kernel.laplacianFactor() : Dim + 2;
-            // As for the fluid's own: see ViscousForce.
-            const auto largest = [](const Body<Dim>& fluid) {
-                return fluid.fluid().material->soundSpeed() * std::pow(fluid.spacing, Dim - 2);
-            };
             others_.push_back({liquid.relation, liquid.velocity, liquid.volume,
                                2 * sums_to * (2 * (mu_a * mu_b) / (mu_a + mu_b)),
-                               std::max(largest(body), largest(other))});
+                               std::max(largestViscousSum(body), largestViscousSum(other))});
             bodies_.push_back(liquid.body);
         }
     }
@@ -63,9 +56,7 @@ class LiquidFriction {
                 gatherVectors<Dim>(other.velocity->data(), pair.index, v_ij);
                 for (int c = 0; c < Dim; ++c) v_ij[c] = v[c] - v_ij[c];
                 const Lanes V_j = gatherLanes(other.volume->data(), pair.index);
-                const Lanes f = viscousFactor<F, Dim, Lanes>(pair, v_ij, distances.next(), V * V_j);
-                const auto& direction = viscousDirection<F, Dim, Lanes>(pair, v_ij);
-                for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, direction[c]);
+                addPairs<F, Dim>(pair, v_ij, distances.next(), V * V_j, sum);
             });
             const double unit = scale * (other.factor * list.gradient_unit);
             for (int c = 0; c < Dim; ++c) force[c] += unit * sum[c].value();

@@ -83,9 +83,8 @@ void checkTogether(const input::Component& method, WrittenCase& written) {
     };
     for (const input::Name& name : own)
         for (const WrittenCase::Sight& sight : written.topology) {
-            const auto seen = written.materials.find(sight.seen.text);
             if (sight.body.text != name.text || sight.seen.text == name.text ||
-                seen == written.materials.end() || !seen->second->declaration->hasTrait("fluid"))
+                !written.isFluid(sight.seen.text))
                 continue;
             if (!steps(sight.seen.text))
                 written.diagnostics.error(

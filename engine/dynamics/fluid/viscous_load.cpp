@@ -19,9 +19,7 @@ ViscousLoad<Dim>::ViscousLoad(Context<Dim>& context, const ViscousForceParameter
           2 * (p.form == ViscousForm::laplacian ? body_->kernel.laplacianFactor() : Dim + 2)),
       // What makes the sums forces.
       factor_(body_->fluid().material->viscosity() * per_viscosity_),
-      // Weakly compressible: speeds stay below a tenth of that of sound. sum_j abs(W')/r V_j is a
-      // few 1/spacing^2.
-      largest_(body_->fluid().material->soundSpeed() * std::pow(body_->spacing, Dim - 2)),
+      largest_(largestViscousSum(*body_)),
       around_(context, *body_,
               {.walls = {.distance = true},
                .liquids = {.distance = true},

@@ -13,6 +13,7 @@
 #include "dynamics/tile_loop.h"
 #include "materials/generalised_newtonian.h"
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,13 @@ inline void addPairs(const Pairs<Dim>& pair, const Lanes (&v_ij)[Dim], Lanes r, 
     const Lanes f = viscousFactor<F, Dim, Lanes>(pair, v_ij, r, V);
     const auto& direction = viscousDirection<F, Dim, Lanes>(pair, v_ij);
     for (int c = 0; c < Dim; ++c) sum[c].addProduct(f, direction[c]);
+}
+
+/// That sums of these terms may reach. Weakly compressible: speeds stay below a tenth of that of
+/// sound. sum_j abs(W')/r V_j is a few 1/spacing^2.
+template <int Dim>
+double largestViscousSum(const Body<Dim>& fluid) {
+    return fluid.fluid().material->soundSpeed() * std::pow(fluid.spacing, Dim - 2);
 }
 
 /// The weight of a pair is abs(W')/r, where sums are made for abs(W'): r is about 2^28 places.

@@ -24,10 +24,8 @@ void checkOtherFluids(const input::Component& method, WrittenCase& written) {
     };
     for (const WrittenCase::Sight& sight : written.topology) {
         const std::string& fluid = sight.body.text;
-        const auto material = written.materials.find(fluid);
         if (sight.contact || sight.seen.text != own.body.text || fluid == own.from.text ||
-            material == written.materials.end() ||
-            !material->second->declaration->hasTrait("fluid"))
+            !written.isFluid(fluid))
             continue;
         if (std::ranges::none_of(written.called,
                                  [&](const auto* other) { return handsOn(other, fluid); }))
